@@ -135,6 +135,21 @@ BOOST_FIXTURE_TEST_CASE(check_names_a_damped_law_as_scenes_do, Session) {
   BOOST_TEST(has(bodies.out, " viscoelastic ("), bodies.out);
 }
 
+BOOST_FIXTURE_TEST_CASE(where_a_damped_contact_ends_is_told, Session) {
+  const std::string uncut =
+      " --set 'chain.contact=[{law = \"kelvin-voigt\", stiffness = 1, damping = 0.5, "
+      "separation = \"indentation\"}, {law = \"hertz\", stiffness = 1}]'";
+  BOOST_TEST(
+      has(mariotte("check three.toml" + uncut).out, "  0.5           1        0  separation indentation\n"));
+  const auto contacts = Json::parse(mariotte("run three.toml --json" + uncut).out)["scene"]["contact"];
+  BOOST_TEST(contacts[0].value("separation", "") == "indentation");
+  BOOST_TEST(!contacts[1].contains("separation"));
+  const auto bodies = mariotte("check " MARIOTTE_SCENES
+                               "/rocking_with_friction.toml --set bodies.damping=4000 "
+                               "--set 'bodies.separation=\"indentation\"'");
+  BOOST_TEST(has(bodies.out, "separation indentation\n"), bodies.out);
+}
+
 BOOST_FIXTURE_TEST_CASE(version_says_what_the_program_can_use, Session) {
   const auto version = mariotte("version").out;
   for (const char* part : {"\nMPI ", "\nHDF5 ", "\ngnuplot "}) BOOST_TEST(has(version, part));

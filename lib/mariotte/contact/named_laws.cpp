@@ -191,4 +191,9 @@ Law uncut(Law law) {
   return std::make_shared<Uncut>(std::move(law));
 }
 
+const Law& cut(const Law& law) {
+  const auto* uncut = dynamic_cast<const Uncut*>(branched(law));
+  return uncut ? uncut->law() : law;
+}
+
 }  // namespace mariotte::contact

@@ -56,5 +56,7 @@ std::string names_of_damped_laws();
 
 /// The law that goes on pulling until its indentation ends, instead of one that is cut off at f = 0.
 Law uncut(Law law);
+/// The law that it was before; another law is itself.
+const Law& cut(const Law& law);
 
 }  // namespace mariotte::contact

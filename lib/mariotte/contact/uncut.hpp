@@ -13,6 +13,7 @@ class Uncut final : public BranchedLaw {
  public:
   explicit Uncut(Law law) : law_(std::move(law)) {}
 
+  const Law& law() const { return law_; }
   std::string_view name() const override { return contact::name(law_); }
   Force force(const Memory&, double indentation, double rate) const override {
     return smooth_force(law_, indentation, rate);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "mariotte/contact/named_laws.hpp"
 #include "mariotte/core/overload.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/json/quantity_json.hpp"
@@ -122,6 +123,7 @@ Json described(const scene::Scene& scene, const char* model, const Json& numbers
 Json law_json(const contact::Law& law) {
   Json object = {{"law", name(law)}};
   for (const auto& parameter : parameters(law)) object[std::string(parameter.key)] = parameter.value;
+  if (&contact::cut(law) != &law) object["separation"] = "indentation";
   return object;
 }
 

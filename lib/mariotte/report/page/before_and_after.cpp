@@ -100,6 +100,7 @@ std::string contacts(const Json& scene, const Json& list, const std::vector<std:
                 {"stiffness k [N/mⁿ]", "", each("stiffness")},
                 {"damping [SI]", "", each("damping")},
                 {"exponent n", "", each("exponent")},
+                {"separation", "", each("separation")},
                 {"friction", "", each("tangential")},
                 {"coefficient μ", "", each("friction")},
                 {"gap", "m", scene.contains("gap") ? scene["gap"] : each("gap")}},

@@ -44,20 +44,9 @@ std::string balls(const model::Chain& chain, const scene::Scene& scene) {
   return columns(header, std::ssize(chain.mass), row);
 }
 
-/// A contact as its columns show it. Damping that is not c of a power law stands with the other numbers,
-/// since its unit is another.
 TableRow contact_row(const std::string& name, const contact::Law& law, double gap) {
-  std::string stiffness, damping, exponent, others;
-  for (const auto& [key, value] : parameters(law))
-    if (key == "stiffness")
-      stiffness = number(value);
-    else if (key == "exponent")
-      exponent = number(value);
-    else if (power_law(law))
-      damping = number(value);
-    else
-      others += fmt::format("{}{} {}", others.empty() ? "" : ", ", key, number(value));
-  return {name, law_name(law), stiffness, damping, exponent, number(gap), others};
+  const auto cells = law_cells(law, number);
+  return {name, law_name(law), cells.stiffness, cells.damping, cells.exponent, number(gap), cells.others};
 }
 
 std::string contacts(const std::vector<contact::Law>& laws, const std::vector<double>& gaps,

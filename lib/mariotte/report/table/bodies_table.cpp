@@ -151,6 +151,34 @@ std::string restitutions(const model::Bodies& bodies) {
   });
 }
 
+std::string contacts_at_start(const model::Bodies& bodies) {
+  TableRow header = {"",           "contact", "law",      "k [N/mⁿ]", "c [N s/mⁿ]",        "n",
+                     "tangential", "μ",       "k_t or κ", "gap [m]",  "other numbers [SI]"};
+  const auto in_words = [](const model::BodyContact& one) {
+    return law_cells(one.law, [](double value) { return rounded(value, 8); });
+  };
+  const bool has_others = std::any_of(bodies.contact.begin(), bodies.contact.end(),
+                                      [&](const auto& one) { return !in_words(one).others.empty(); });
+  if (!has_others) header.pop_back();
+  return columns(header, std::ssize(bodies.contact), [&](Index i) {
+    const auto& one = bodies.contact[i];
+    const auto law = in_words(one);
+    TableRow row = {fmt::format("{}", i + 1),
+                    fmt::format("{} – {}", name_of(bodies, one.a), name_of(bodies, one.b)),
+                    law_name(one.law),
+                    law.stiffness,
+                    law.damping,
+                    law.exponent,
+                    std::string(name(one.tangential.law)),
+                    rounded(one.tangential.friction, 6),
+                    one.tangential.has_spring() ? rounded(one.tangential.stiffness, 8) : "",
+                    rounded(start_gap(bodies, one), 8),
+                    law.others};
+    row.resize(header.size());
+    return row;
+  });
+}
+
 }  // namespace
 
 std::string table(const impact::BodiesImpact& impact, const scene::Scene& scene, Detail detail) {
@@ -179,23 +207,7 @@ std::string table_of_bodies(const model::Bodies& bodies, const scene::Scene& sce
   text += columns(
       {"", "mass [kg]", "inertia [kg m²]", "spheres", "position [m]", "velocity [m/s]", "spin [rad/s]"},
       std::ssize(bodies.body), body);
-  const auto contact = [&](Index i) -> TableRow {
-    const auto& one = bodies.contact[i];
-    const auto* power = contact::power_law(one.law);
-    return {fmt::format("{}", i + 1),
-            fmt::format("{} – {}", name_of(bodies, one.a), name_of(bodies, one.b)),
-            law_name(one.law),
-            power ? rounded(power->stiffness, 8) : "",
-            power ? rounded(power->damping, 6) : "",
-            name(one.tangential.law),
-            rounded(one.tangential.friction, 6),
-            one.tangential.has_spring() ? rounded(one.tangential.stiffness, 8) : "",
-            rounded(start_gap(bodies, one), 8)};
-  };
-  text += "\n" +
-          columns({"", "contact", "law", "k [N/mⁿ]", "c [N s/mⁿ]", "tangential", "μ", "k_t or κ", "gap [m]"},
-                  std::ssize(bodies.contact), contact) +
-          restitutions(bodies);
+  text += "\n" + contacts_at_start(bodies) + restitutions(bodies);
   return text + fmt::format("\naccuracy {:.3g} · flow {}\n", scene.run.accuracy, flow::name(scene.run.flow));
 }
 

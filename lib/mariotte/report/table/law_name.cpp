@@ -14,4 +14,23 @@ std::string law_name(const contact::Law& law) {
   return text;
 }
 
+LawCells law_cells(const contact::Law& law, const std::function<std::string(double)>& number) {
+  const auto& cut = contact::cut(law);
+  LawCells cells;
+  const auto add = [&](const std::string& text) {
+    cells.others += (cells.others.empty() ? "" : ", ") + text;
+  };
+  for (const auto& [key, value] : parameters(law))
+    if (key == "stiffness")
+      cells.stiffness = number(value);
+    else if (key == "exponent")
+      cells.exponent = number(value);
+    else if (power_law(cut))
+      cells.damping = number(value);
+    else
+      add(std::string(key) + " " + number(value));
+  if (&cut != &law) add("separation indentation");
+  return cells;
+}
+
 }  // namespace mariotte::report
