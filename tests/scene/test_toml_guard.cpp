@@ -62,6 +62,12 @@ BOOST_AUTO_TEST_CASE(values_without_quotes_are_whole) {
                    start << word << rest);
 }
 
+BOOST_AUTO_TEST_CASE(points_of_numbers_have_digits_on_both_sides) {
+  for (const auto* word : {".5", "5.", "-.5", "1.e3"})
+    BOOST_TEST(verdict(std::string("a = ") + word) ==
+               std::string("f:1:5: \"") + word + "\" is no number: digits stand on both sides of the point");
+}
+
 BOOST_AUTO_TEST_CASE(columns_count_characters_not_bytes) {
   BOOST_TEST(verdict("a = \"\u00b5\u00b5\u00b5\" (") == "f:1:11: unexpected '('");
 }

@@ -126,7 +126,9 @@ class Guard {
     const auto word = rest_.substr(0, rest_.find_first_not_of(word_characters));
     if (!is_plain_value(word))
       reject(source_, place_, fault::not_toml,
-             "\"" + std::string(word) + "\" is no number, and text stands between quotes");
+             "\"" + std::string(word) + "\" is no number" +
+                 (lacks_digit(word) ? ": digits stand on both sides of the point"
+                                    : ", and text stands between quotes"));
     advance(word.size());
     while (!rest_.empty() && is_in(rest_.front(), " \t")) advance();
     if (!at_line_end() && !is_in(rest_.front(), ",]}#"))

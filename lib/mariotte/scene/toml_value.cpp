@@ -1,6 +1,7 @@
 #include "mariotte/scene/toml_value.hpp"
 
 #include <cstddef>
+#include <string>
 
 namespace mariotte::scene {
 namespace {
@@ -51,6 +52,12 @@ bool is_plain_value(std::string_view word) {
   if (word.size() > 2 && word[0] == '0' && std::string_view("xob").find(word[1]) != std::string_view::npos)
     return is_integer_of_base(word);
   return is_decimal(word);
+}
+
+bool lacks_digit(std::string_view word) {
+  std::string padded(word);
+  if (const auto point = padded.find('.'); point != std::string::npos) padded.replace(point, 1, "0.0");
+  return !is_plain_value(word) && is_plain_value(padded);
 }
 
 }  // namespace mariotte::scene
