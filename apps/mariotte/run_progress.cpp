@@ -11,6 +11,8 @@ namespace mariotte::command {
 namespace {
 
 constexpr Index events_between_looks = 256;  // at the clock
+/// Share of the time limit before which nothing is forecast: contacts are densest at the beginning.
+constexpr double forecast_after = 0.1;
 
 }  // namespace
 
@@ -18,7 +20,7 @@ std::string progress_text(const impact::Progress& progress, double max_time, dou
   const auto time = report::display_for(std::vector{progress.time}, "s");
   auto text = fmt::format("at {} {} after {:.0f} s, {}", report::shown(time, progress.time), time.unit, taken,
                           counted(progress.events, "event"));
-  if (std::isfinite(max_time) && progress.time > 0)
+  if (std::isfinite(max_time) && progress.time > forecast_after * max_time)
     text += fmt::format("; about {:.0f} s more to the time limit", taken * (max_time / progress.time - 1));
   return text;
 }

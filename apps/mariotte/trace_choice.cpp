@@ -36,6 +36,7 @@ Index number(const std::string& text, const List& list, std::size_t count) {
 /// "1,5,10:20,100:1000:50", from 1; the places from 0.
 std::vector<Index> places(const List& list, std::size_t count) {
   std::vector<Index> found;
+  std::vector<bool> is_named(count, false);
   for (const auto& part : split(list.text, ',')) {
     const auto range = split(part, ':');
     const Index from = number(range.front(), list, count);
@@ -43,7 +44,11 @@ std::vector<Index> places(const List& list, std::size_t count) {
     const Index step = range.size() > 2 ? number(range[2], list, count) : 1;
     if (range.size() > 3) reject(list, fmt::format("'{}': write N, FROM:TO or FROM:TO:STEP", part));
     if (from > to) reject(list, fmt::format("'{}' names nothing: it runs backwards", part));
-    for (Index place = from; place <= to; place += step) found.push_back(place - 1);
+    for (Index place = from; place <= to; place += step) {
+      if (is_named[place - 1]) reject(list, fmt::format("{} stands in it twice", place));
+      is_named[place - 1] = true;
+      found.push_back(place - 1);
+    }
   }
   return found;
 }

@@ -77,6 +77,8 @@ BOOST_FIXTURE_TEST_CASE(a_trace_without_sense_gives_code_2, Session) {
 }
 
 BOOST_FIXTURE_TEST_CASE(a_range_that_runs_backwards_is_told_so, Session) {
+  BOOST_TEST(
+      has(mariotte("run three.toml --trace w.csv --balls 2,1:3").err, "--balls 2,1:3: 2 stands in it twice"));
   BOOST_TEST(has(mariotte("run three.toml --trace w.csv --balls 1,3:2").err,
                  "--balls 1,3:2: '3:2' names nothing: it runs backwards"));
   BOOST_TEST(has(mariotte("run three.toml --trace w.csv --contacts 4").err,
