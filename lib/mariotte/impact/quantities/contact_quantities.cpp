@@ -45,7 +45,7 @@ List<I> motion() {
        .read = element<&I::velocity>,
        .count = size_of<&I::velocity>,
        .brief = [](const Brief<I>& b, Indices i) { return at(b.impact.velocity, i[0]); }},
-      {.is = {"final.gap[]", "m", "g_j", "gap of each contact at the end, negative in contact"},
+      {.is = {"final.gap[]", "m", "g_j", "gap of each contact at the end, negative in contact, to rounding"},
        .read = element<&I::gap>,
        .count = size_of<&I::gap>},
   };
@@ -75,7 +75,10 @@ List<I> contacts() {
        .count = size_in<&I::contacts, &One::periods>,
        .counted_by_run = true,
        .brief = [](const Brief<I>& b, Indices i) { return at(b.impact.periods, i[0]); }},
-      {.is = {"contacts[].periods[][]", "s", "", "start and end of one; the end is null if it never came"},
+      {.is = {"contacts[].periods[][]", "s", "",
+              "start and end of one; the end is null if it never came, and blurred where bodies part with "
+              "hardly any "
+              "speed"},
        .read = [](const I& r, Indices at) -> Value {
          const auto& period = r.contacts[at[0]].periods[at[1]];
          return at[2] == 0 ? period.start : value(period.end);
