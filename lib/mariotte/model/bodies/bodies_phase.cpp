@@ -35,12 +35,13 @@ double damping_of(const SettingContact<D>& contact) {
 }
 
 /// A direction that turns at once is as stiff as strong damping: that of a slip that has just left rest, and
-/// in space that of a spring that yields, while its force is small.
+/// in space that of a spring that yields, while its force is small: it turns like the slip over the stretch.
+/// That of Mindlin's spring grows like the indentation, so it turns no faster than the contact goes on.
 constexpr double stiff_turning = 10;
 template <int D>
 bool turns_at_once(const ClosedContact& one, const SettingContact<D>& contact) {
-  const bool yields = one.friction == Friction::slip && !one.slack && contact.tangential.has_spring();
-  return one.from_rest || (D == 3 && yields);
+  const bool yields = one.friction == Friction::slip && !one.slack;
+  return one.from_rest || (D == 3 && yields && contact.tangential.law == TangentialLaw::spring);
 }
 constexpr Index most_steps_at_rest = 2000;
 /// Whether all rests is asked at events, and after so many steps without any.
