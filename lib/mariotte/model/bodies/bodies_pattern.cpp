@@ -109,6 +109,22 @@ std::vector<flow::Entry> pattern_of(const BodiesSetting<D>& setting, const Bodie
   return Pattern<D>(setting, layout, mode).entries();
 }
 
+std::vector<Index> colours_of(const std::vector<flow::Entry>& pattern, Index columns) {
+  std::vector<Index> colours(columns, -1);
+  std::vector<std::vector<bool>> is_taken;  // by colour and row
+  for (auto first = pattern.begin(); first != pattern.end();) {
+    const auto last = std::find_if(first, pattern.end(), [&](auto e) { return e.column != first->column; });
+    auto colour = std::find_if(is_taken.begin(), is_taken.end(), [&](const auto& rows) {
+      return std::none_of(first, last, [&](auto e) { return rows[e.row]; });
+    });
+    if (colour == is_taken.end()) colour = is_taken.insert(colour, std::vector<bool>(columns, false));
+    for (auto e = first; e != last; ++e) (*colour)[e->row] = true;
+    colours[first->column] = colour - is_taken.begin();
+    first = last;
+  }
+  return colours;
+}
+
 template std::vector<flow::Entry> pattern_of(const BodiesSetting<2>&, const BodiesLayout<2>&,
                                              const BodiesMode&);
 template std::vector<flow::Entry> pattern_of(const BodiesSetting<3>&, const BodiesLayout<3>&,

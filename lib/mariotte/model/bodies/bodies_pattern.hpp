@@ -12,4 +12,8 @@ template <int D>
 std::vector<flow::Entry> pattern_of(const BodiesSetting<D>& setting, const BodiesLayout<D>& layout,
                                     const BodiesMode& mode);
 
+/// Columns of a pattern that share no row have one colour, from 0: their slopes can be told apart when they
+/// are carried together. By column; −1 of one that changes nothing [Curtis, Powell & Reid 1974].
+std::vector<Index> colours_of(const std::vector<flow::Entry>& pattern, Index columns);
+
 }  // namespace mariotte::model

@@ -159,31 +159,33 @@ void BodiesPhase<D>::derivative(ConstState x, State dx) const {
   field_.rates(*mode_, x, dx);
 }
 
+/// By colours, for the Jacobian.
 template <int D>
 const std::vector<flow::Entry>& BodiesPhase<D>::entries() const {
-  if (entries_.empty()) entries_ = pattern_of(setting_, layout_, *mode_);
+  if (!entries_.empty()) return entries_;
+  entries_ = pattern_of(setting_, layout_, *mode_);
+  colours_ = colours_of(entries_, size());
+  std::stable_sort(entries_.begin(), entries_.end(),
+                   [&](auto a, auto b) { return colours_[a.column] < colours_[b.column]; });
   return entries_;
 }
 
-/// As many columns at once as slopes are carried.
+/// As many colours at once as slopes are carried.
 template <int D>
 void BodiesPhase<D>::jacobian(ConstState x, State values) const {
   const auto& all = entries();
   sloped_dx_.resize(size());
-  for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
+  for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
     sloped_x_.assign(x.begin(), x.end());
-    const auto begins = [&](std::size_t e) { return e == first || all[e].column != all[e - 1].column; };
-    for (Index lane = -1; last < all.size(); ++last) {
-      if (begins(last) && ++lane == slope_lanes) break;
-      if (begins(last)) sloped_x_[all[last].column].slope[lane] = 1;
+    const Index first = colours_[all[from].column];
+    for (; to < all.size() && colours_[all[to].column] < first + slope_lanes; ++to) {
+      const Index column = all[to].column;
+      sloped_x_[column].slope[colours_[column] - first] = 1;
     }
     sloped_.evaluate(layout_, *mode_, std::span<const Sloped>(sloped_x_));
     sloped_.rates(*mode_, std::span<const Sloped>(sloped_x_), std::span<Sloped>(sloped_dx_));
-    Index lane = -1;
-    for (std::size_t e = first; e < last; ++e) {
-      lane += begins(e);
-      values[e] = sloped_dx_[all[e].row].slope[lane];
-    }
+    for (std::size_t e = from; e < to; ++e)
+      values[e] = sloped_dx_[all[e].row].slope[colours_[all[e].column] - first];
   }
 }
 

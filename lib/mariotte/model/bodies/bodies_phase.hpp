@@ -138,6 +138,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   mutable std::vector<series::Dual<double, 1>> along_, along_values_;
   mutable std::vector<Sloped> sloped_x_, sloped_dx_;
   mutable std::vector<flow::Entry> entries_;  ///< of the Jacobian in this mode; empty if nobody has asked
+  mutable std::vector<Index> colours_;        ///< of its columns
 };
 
 }  // namespace mariotte::model
