@@ -65,6 +65,9 @@ class Problem {
   virtual void jacobian(ConstState x, State values) const = 0;
   /// Largest damping group c/√(k m) of the active contacts: what makes a phase stiff.
   virtual double damping_group() const = 0;
+  /// Steps after which an explicit flow leaves the phase to an implicit one, where something else may be
+  /// stiff.
+  virtual Index trial_steps() const { return std::numeric_limits<Index>::max(); }
   /// Least load, over the natural force, whose sign matters at this accuracy: that of a contact which strong
   /// damping makes creep.
   virtual double least_load(double /*accuracy*/) const { return 1 / (damping_group() * damping_group()); }

@@ -117,7 +117,8 @@ class Cvode final : public Flow {
       stalled += step.end - step.start <= 2 * epsilon * step.end;
       if (count == trial && step.end < trial * request.least_step) return finish(Outcome::stiff, step.end, x);
       // a slip in space of two tips that friction holds near zero is stiff, whatever the damping
-      if (count == request.most_steps && kind_ == Kind::cvode_adams && !request.patient) {
+      const bool is_long = count == std::min(request.most_steps, problem.trial_steps());
+      if (is_long && kind_ == Kind::cvode_adams && !request.patient) {
         auto arrival = finish(Outcome::stiff, step.end, x);
         arrival.resumable = true;
         return arrival;

@@ -36,12 +36,13 @@ double damping_of(const SettingContact<D>& contact) {
 
 /// A direction that turns at once is as stiff as strong damping: that of a slip that has just left rest, and
 /// in space that of a spring that yields, while its force is small: it turns like the slip over the stretch.
-/// That of Mindlin's spring grows like the indentation, so it turns no faster than the contact goes on.
+/// That of Mindlin's spring grows like the indentation, so its turns are mostly no faster than the contact
+/// goes on. Where a fast slip makes them so, it is seen after some steps, a phase having a third of them.
 constexpr double stiff_turning = 10;
+constexpr Index steps_to_see_turns = 300;
 template <int D>
-bool turns_at_once(const ClosedContact& one, const SettingContact<D>& contact) {
-  const bool yields = one.friction == Friction::slip && !one.slack;
-  return one.from_rest || (D == 3 && yields && contact.tangential.law == TangentialLaw::spring);
+bool yields_in_space(const ClosedContact& one, const SettingContact<D>& contact, TangentialLaw law) {
+  return D == 3 && one.friction == Friction::slip && !one.slack && contact.tangential.law == law;
 }
 constexpr Index most_steps_at_rest = 2000;
 /// Whether all rests is asked at events, and after so many steps without any.
@@ -63,6 +64,7 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   ballistic_ = mode.closed.empty() && at_peace && free_flight_;
   time_ = mode.closed.empty() ? setting_.time : infinity;
   damping_ = 0;
+  trial_steps_ = flow::Problem::trial_steps();
   steps_at_rest_ = 0;
   std::fill_n(crossing_.begin() + gap_guard(0), watched_count(), Crossing::falling);
   for (Index i = 0; i < strays_; ++i) crossing_[stray_guard(i)] = Crossing::falling;
@@ -80,7 +82,9 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
         yield_depth(contact.law, one.past) < infinity)
       set(SlotGuard::yield, Crossing::falling);
     time_ = std::min(time_, contact.time);
-    damping_ = std::max({damping_, damping_of(contact), turns_at_once(one, contact) ? stiff_turning : 0});
+    const bool turns_at_once = one.from_rest || yields_in_space(one, contact, TangentialLaw::spring);
+    damping_ = std::max({damping_, damping_of(contact), turns_at_once ? stiff_turning : 0});
+    if (yields_in_space(one, contact, TangentialLaw::mindlin)) trial_steps_ = steps_to_see_turns;
   }
   for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
   recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),

@@ -39,6 +39,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   std::vector<flow::Entry> pattern() const override { return entries(); }
   void jacobian(ConstState x, State values) const override;
   double damping_group() const override { return damping_; }
+  Index trial_steps() const override { return trial_steps_; }
   double least_load(double) const override { return infinity; }
   bool is_ballistic() const override { return ballistic_; }
   void second_derivative(ConstState, State) const override {}
@@ -118,6 +119,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index steps_at_rest_ = 0;  ///< of slips that have not left it
   Index accepted_ = 0;       ///< steps, in all phases
   double time_ = 1, damping_ = 0;
+  Index trial_steps_ = 0;
   std::vector<flow::Crossing> crossing_;
   std::vector<double> magnitude_;
 
