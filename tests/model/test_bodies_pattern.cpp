@@ -42,6 +42,21 @@ Bodies heaps(int dimension, TangentialLaw friction) {
   return bodies;
 }
 
+/// A ball between four others, which do not touch each other.
+Bodies cross(int dimension, TangentialLaw friction) {
+  Bodies bodies{.dimension = dimension};
+  const double d = 2 * test::radius;
+  for (const Vector3& at : {Vector3{}, {d, 0, 0}, {-d, 0, 0}, {0, d, 0}, {0, -d, 0}})
+    bodies.body.push_back(test::ball(at));
+  for (const Index other : {1, 2, 3, 4})
+    bodies.contact.push_back({.a = {0, 0},
+                              .b = {other, 0},
+                              .law = contact::Viscoelastic{1e7, 1e3, 1.5},
+                              .tangential = {friction, 0.3, 1e6}});
+  bodies.named = std::ssize(bodies.contact);
+  return bodies;
+}
+
 /// All contacts closed, in modes drawn at random.
 BodiesMode drawn_mode(const Bodies& bodies) {
   BodiesMode mode;
@@ -104,5 +119,7 @@ BOOST_AUTO_TEST_CASE(the_jacobian_of_bodies_has_all_slopes) {
     for (int draw = 0; draw < 10; ++draw) {
       check<2>(heaps(2, friction));
       check<3>(heaps(3, friction));
+      check<2>(cross(2, friction));
+      check<3>(cross(3, friction));
     }
 }

@@ -60,7 +60,9 @@ class Pattern {
   /// Forces of contacts that stick rigidly are solved for together, where they share bodies.
   Index part_of(const ClosedContact& one) const { return part_[body_b(one)]; }
   void join(const ClosedContact& one) {
-    if (has_a(one)) std::replace(part_.begin(), part_.end(), part_[body_a(one)], part_of(one));
+    if (!has_a(one)) return;
+    const Index old = part_[body_a(one)], joined = part_of(one);
+    std::replace(part_.begin(), part_.end(), old, joined);
   }
 
   static void add_range(Index first, Index count, Rows& rows) {

@@ -36,9 +36,9 @@ double damping_of(const SettingContact<D>& contact) {
 
 /// A direction that turns at once is as stiff as strong damping: that of a slip that has just left rest, and
 /// in space that of a spring that yields, while its force is small: it turns like the slip over the stretch.
-/// That of Mindlin's spring grows like the indentation, so its turns are mostly no faster than the contact
-/// goes on. Where a fast slip makes them so, it is seen after some steps, a phase having a third of them.
 constexpr double stiff_turning = 10;
+/// That of Mindlin's spring grows like the indentation, so it mostly turns no faster than the contact goes
+/// on. A phase that takes more steps is one in which a fast slip makes it stiff.
 constexpr Index steps_to_see_turns = 300;
 template <int D>
 bool yields_in_space(const ClosedContact& one, const SettingContact<D>& contact, TangentialLaw law) {
