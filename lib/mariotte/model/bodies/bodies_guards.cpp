@@ -8,14 +8,18 @@ namespace mariotte::model {
 using flow::Crossing;
 
 /// By which a spring may exceed its cap. A law with branches may be much stiffer than its natural force says:
-/// rounding of its depth then moves the cap by more than a share of that force.
+/// rounding of its depth then moves the cap by more than a share of that force. So does the depth of an
+/// onset, which is rounding, where a damper's force begins like a small power of it.
 template <int D>
 template <class T>
 double BodiesPhase<D>::cap_noise(const ClosedContact& mode, const ContactMotion<T, D>& motion) const {
   const auto& one = setting_.contact[mode.contact];
   const double share = setting_.slip_noise * one.force;
+  const double depth = -series::value_of(motion.gap), rate = -series::value_of(motion.gap_rate);
+  if (depth < mode.gap_noise && rate > 0)
+    return std::max(share,
+                    one.tangential.friction * smooth_force(one.law, mode.past, mode.gap_noise, rate).value);
   if (!contact::branched(one.law)) return share;
-  const double depth = series::value_of(motion.indentation), rate = -series::value_of(motion.gap_rate);
   const double stiffness = smooth_force(one.law, mode.past, depth, rate).by_indentation;
   return std::max(share, one.tangential.friction * std::abs(stiffness) * setting_.rounding * one.length);
 }
