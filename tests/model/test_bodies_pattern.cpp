@@ -3,9 +3,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "mariotte/model/bodies/bodies_pattern.hpp"
 #include "mariotte/model/bodies/bodies_system.hpp"
 #include "support/random_balls.hpp"
 
@@ -97,6 +99,10 @@ void check(const Bodies& bodies) {
     slope[{pattern[e].row, pattern[e].column}] = values[e];
     steepest[pattern[e].row] = std::max(steepest[pattern[e].row], std::abs(values[e]));
   }
+
+  const auto colours = colours_of(pattern, phase.size());
+  std::set<std::pair<Index, Index>> carried;  // colours and rows
+  for (const auto& [row, column] : pattern) BOOST_TEST(carried.emplace(colours[column], row).second);
 
   const auto here = rates(phase, x, 0, 0);
   for (Index column = 0; column < phase.size(); ++column) {

@@ -58,5 +58,8 @@ std::string names_of_damped_laws();
 Law uncut(Law law);
 /// The law that it was before; another law is itself.
 const Law& cut(const Law& law);
+inline bool is_uncut(const Law& law) {
+  return &cut(law) != &law;
+}
 
 }  // namespace mariotte::contact

@@ -38,9 +38,9 @@ constexpr Index trial = 2000;
 /// space that leaves rest: friction turns at a rate that falls like the inverse of its speed. Newton's first
 /// correction by an old Jacobian is then wrong, and passes for converged by what earlier steps had promised.
 constexpr Index jacobian_age = 1;
-/// Of so many steps BDF repeats a third at most while it can meet its tolerance, and half of them where that
-/// is below what rounding makes of rates: those of a contact that rests under strong damping follow its depth
-/// at once. There the tolerance is eased, up to a share of the accuracy.
+/// Of so many steps BDF repeats few while it can meet its tolerance, and half of them where that is below
+/// what rounding makes of rates: those of a contact that rests under strong damping follow its depth at once.
+/// There the tolerance is eased, up to a share of the accuracy.
 constexpr Index refusals_counted = 100, most_refusals = 40;
 constexpr double easing = 4, most_eased = 0.1;
 /// Attempts at one step. Each is up to ten times shorter: where a force begins like a small power of the

@@ -52,7 +52,7 @@ std::vector<LawParameterChoice> law_parameters(const Law& law) {
   const auto* known = named(law);
   std::vector<LawParameterChoice> list;
   if (!known) return list;
-  const bool is_uncut = &contact::cut(law) != &law;
+  const bool is_uncut = contact::is_uncut(law);
   for (const auto& number : parameters(law)) {
     const auto* key = known->find(number.key);
     if (!key || !is_chosen(law, number)) continue;

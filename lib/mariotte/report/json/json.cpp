@@ -123,7 +123,7 @@ Json described(const scene::Scene& scene, const char* model, const Json& numbers
 Json law_json(const contact::Law& law) {
   Json object = {{"law", name(law)}};
   for (const auto& parameter : parameters(law)) object[std::string(parameter.key)] = parameter.value;
-  if (&contact::cut(law) != &law) object["separation"] = "indentation";
+  if (contact::is_uncut(law)) object["separation"] = "indentation";
   return object;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "mariotte/report/csv/columns.hpp"
 #include "mariotte/report/number.hpp"
@@ -154,15 +155,15 @@ std::string restitutions(const model::Bodies& bodies) {
 std::string contacts_at_start(const model::Bodies& bodies) {
   TableRow header = {"",           "contact", "law",      "k [N/mⁿ]", "c [N s/mⁿ]",        "n",
                      "tangential", "μ",       "k_t or κ", "gap [m]",  "other numbers [SI]"};
-  const auto in_words = [](const model::BodyContact& one) {
-    return law_cells(one.law, [](double value) { return rounded(value, 8); });
-  };
-  const bool has_others = std::any_of(bodies.contact.begin(), bodies.contact.end(),
-                                      [&](const auto& one) { return !in_words(one).others.empty(); });
+  std::vector<LawCells> laws;
+  for (const auto& one : bodies.contact)
+    laws.push_back(law_cells(one.law, [](double value) { return rounded(value, 8); }));
+  const bool has_others =
+      std::any_of(laws.begin(), laws.end(), [](const auto& one) { return !one.others.empty(); });
   if (!has_others) header.pop_back();
   return columns(header, std::ssize(bodies.contact), [&](Index i) {
     const auto& one = bodies.contact[i];
-    const auto law = in_words(one);
+    const auto& law = laws[static_cast<std::size_t>(i)];
     TableRow row = {fmt::format("{}", i + 1),
                     fmt::format("{} – {}", name_of(bodies, one.a), name_of(bodies, one.b)),
                     law_name(one.law),

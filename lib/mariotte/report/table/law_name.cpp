@@ -15,7 +15,6 @@ std::string law_name(const contact::Law& law) {
 }
 
 LawCells law_cells(const contact::Law& law, const std::function<std::string(double)>& number) {
-  const auto& cut = contact::cut(law);
   LawCells cells;
   const auto add = [&](const std::string& text) {
     cells.others += (cells.others.empty() ? "" : ", ") + text;
@@ -25,11 +24,11 @@ LawCells law_cells(const contact::Law& law, const std::function<std::string(doub
       cells.stiffness = number(value);
     else if (key == "exponent")
       cells.exponent = number(value);
-    else if (power_law(cut))
+    else if (power_law(contact::cut(law)))
       cells.damping = number(value);
     else
       add(std::string(key) + " " + number(value));
-  if (&cut != &law) add("separation indentation");
+  if (contact::is_uncut(law)) add("separation indentation");
   return cells;
 }
 
