@@ -6,7 +6,6 @@
 
 using support::has;
 using support::Session;
-using Json = nlohmann::json;
 
 BOOST_FIXTURE_TEST_CASE(version_says_what_the_program_can_use, Session) {
   const auto version = mariotte("version").out;
