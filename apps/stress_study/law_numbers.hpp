@@ -23,11 +23,6 @@ inline double least_yield_pressure(const contact::LawNumbers& numbers) {
   return std::max(0.0, 2 * e * snap / (pi * r) - std::sqrt(2 * w * e / (pi * snap)));
 }
 
-/// Whether a law with a damper goes on until its indentation ends.
-inline bool is_uncut(const contact::Law& law) {
-  return contact::pulls(law) && !contact::adheres(law);
-}
-
 /// The same law after `change(key, value)` of each of its numbers.
 template <class Change>
 contact::Law with_numbers(const contact::Law& law, Change&& change) {
@@ -37,7 +32,7 @@ contact::Law with_numbers(const contact::Law& law, Change&& change) {
     change(key, value);
     numbers.*named.find(key)->number = value;
   }
-  return is_uncut(law) ? contact::uncut(named.make(numbers)) : named.make(numbers);
+  return contact::is_uncut(law) ? contact::uncut(named.make(numbers)) : named.make(numbers);
 }
 
 }  // namespace mariotte::stress_study

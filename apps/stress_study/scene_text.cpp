@@ -24,7 +24,7 @@ std::string keys(const contact::Law& law) {
   const bool is_spring = called == "linear" || called == "hertz";
   for (const auto& [key, value] : contact::parameters(law))
     if (!is_spring || key == "stiffness") text += fmt::format("{} = {}\n", key, exact(value));
-  return is_uncut(law) ? text + "separation = \"indentation\"\n" : text;
+  return contact::is_uncut(law) ? text + "separation = \"indentation\"\n" : text;
 }
 
 std::string start(const std::vector<double>& gap, const std::vector<double>& velocity, bool precompressed) {
