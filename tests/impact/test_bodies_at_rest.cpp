@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/impact/bodies/bodies_impact.hpp"
+#include "support/flow_steps.hpp"
 
 using namespace mariotte;
 
@@ -46,8 +47,7 @@ BOOST_AUTO_TEST_CASE(strong_dampers_at_rest_take_few_steps) {
   for (const double accuracy : {1e-6, 1e-8, 1e-10}) {
     const auto impact = impact::simulate(dropped_block(), {.accuracy = accuracy, .max_time = end});
     BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
-    Index steps = 0;
-    for (const auto& use : impact.flows) steps += use.steps;
+    const auto steps = test::steps(impact);
     BOOST_TEST_MESSAGE(steps << " steps at " << accuracy);
     BOOST_TEST(steps < 20'000);
     BOOST_TEST(std::abs(impact.body[0].velocity.e2) < 1e-12);

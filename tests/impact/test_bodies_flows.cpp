@@ -7,6 +7,7 @@
 #include <random>
 
 #include "mariotte/impact/bodies/bodies_impact.hpp"
+#include "support/flow_steps.hpp"
 #include "support/meeting_bodies.hpp"
 
 using namespace mariotte;
@@ -42,13 +43,6 @@ double difference(const impact::BodiesImpact& a, const impact::BodiesImpact& b) 
   return most;
 }
 
-Index steps_of(const impact::BodiesImpact& impact, flow::Kind kind) {
-  Index steps = 0;
-  for (const auto& use : impact.flows)
-    if (use.name == flow::name(kind)) steps += use.steps;
-  return steps;
-}
-
 void compare(int dimension, unsigned seed, int count, bool branched = false) {
   Scenes scenes(seed, branched);
   int met = 0;
@@ -65,9 +59,9 @@ void compare(int dimension, unsigned seed, int count, bool branched = false) {
       BOOST_TEST(closed(one) == closed(two));
     }
     met += !one.contacts.empty();
-    series += steps_of(one, flow::Kind::taylor);
-    left += steps_of(one, flow::Kind::cvode_adams);
-    cvode += steps_of(two, flow::Kind::cvode_adams);
+    series += test::steps(one, flow::Kind::taylor);
+    left += test::steps(one, flow::Kind::cvode_adams);
+    cvode += test::steps(two, flow::Kind::cvode_adams);
   }
   BOOST_TEST(2 * met > count);
   BOOST_TEST(series > 0);
@@ -324,7 +318,7 @@ BOOST_AUTO_TEST_CASE(touching_balls_need_no_cvode) {
   const auto one = impact::simulate(bodies, options(1e-8, std::nullopt));
   const auto two = impact::simulate(bodies, options(1e-8, flow::Kind::cvode_adams));
   BOOST_CHECK(one.ending == hybrid::Ending::separated);
-  BOOST_TEST(steps_of(one, flow::Kind::cvode_adams) == 0);
+  BOOST_TEST(test::steps(one, flow::Kind::cvode_adams) == 0);
   BOOST_TEST(difference(one, two) < 1e-7);
 }
 

@@ -4,6 +4,7 @@
 
 #include "mariotte/impact/laws/sequential_law.hpp"
 #include "mariotte/impact/network/network_impact.hpp"
+#include "support/flow_steps.hpp"
 #include "support/reference.hpp"
 
 using namespace mariotte;
@@ -13,12 +14,6 @@ namespace {
 
 model::Chain triplet_of_stiffness(const std::string& law, double stiffness, double ratio) {
   return equal_masses({undamped(law, stiffness), undamped(law, ratio * stiffness)}, {1, 0, -0.25});
-}
-
-Index steps(const impact::ChainImpact& impact) {
-  Index total = 0;
-  for (const auto& use : impact.flows) total += use.steps;
-  return total;
 }
 
 const char* const laws[] = {"linear", "hertz"};
