@@ -21,7 +21,8 @@ class Pattern {
       add_range(at_.velocity(body), D + turns(D), pushed_[body]);
     }
     for (const auto& one : mode.closed) {
-      for_each_body(one, [&](Index body) { pushed_[body].push_back(at_.losses(one.slot)); });
+      if (loses_by_load_rate(one))
+        for_each_body(one, [&](Index body) { pushed_[body].push_back(at_.losses(one.slot)); });
       if (sticks(one)) join(one);
     }
     for (const auto& one : mode.closed)
@@ -29,9 +30,7 @@ class Pattern {
   }
 
   std::vector<flow::Entry> entries() {
-    for (Index body = 0; body < at_.bodies; ++body)
-      add(at_.shift(body), at_.body_size, own_rows(body),
-          [&](const auto& one) { return touches(one, body); });
+    for (Index body = 0; body < at_.bodies; ++body) add_body(body);
     add(at_.clock(), 1, {}, [&](const auto& one) { return !has_a(one); });
     for (const auto& one : mode_.closed)
       add(at_.spring(one.slot), at_.tangents, {}, [&](const auto& other) { return &other == &one; });
@@ -65,13 +64,29 @@ class Pattern {
     std::replace(part_.begin(), part_.end(), old, joined);
   }
 
+  /// A spring that slips loses what its load leaves of it, and the rate of a damped load depends on
+  /// accelerations.
+  bool loses_by_load_rate(const ClosedContact& one) const {
+    return one.friction == Friction::slip && !one.slack && contact(one).tangential.has_spring() &&
+           contact::is_damped(contact(one).law);
+  }
+
+  /// Contacts of a ball about its mass centre do not feel how it has turned.
+  void add_body(Index body) {
+    const auto& shape = setting_.body[body];
+    const bool shows_turn = shape.has_arms || !shape.is_round;
+    const auto touched = [&](const auto& one) { return touches(one, body); };
+    Rows shift, turn;
+    add_range(at_.shift(body), D, shift);
+    add_range(at_.turn(body), at_.attitude, turn);
+    add(at_.shift(body), D, {}, touched);
+    add(at_.turn(body), at_.attitude, turn, [&](const auto& one) { return shows_turn && touched(one); });
+    add(at_.velocity(body), D, shift, touched);
+    add(at_.momentum(body), turns(D), turn, touched);
+  }
+
   static void add_range(Index first, Index count, Rows& rows) {
     for (Index row = first; row < first + count; ++row) rows.push_back(row);
-  }
-  Rows own_rows(Index body) const {
-    Rows rows;
-    add_range(at_.shift(body), at_.body_size, rows);
-    return rows;
   }
   static void append(const Rows& more, Rows& rows) { rows.insert(rows.end(), more.begin(), more.end()); }
   /// What the force of a contact changes.
