@@ -1,6 +1,7 @@
 // Vectors of space: e1 is normal to a plane, e2 and e3 lie in it.
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 namespace mariotte {
@@ -42,6 +43,11 @@ BasicVector3<T> cross(const BasicVector3<T>& a, const BasicVector3<T>& b) {
 /// Length, without overflow.
 inline double norm(const Vector3& a) {
   return std::hypot(a.e1, a.e2, a.e3);
+}
+/// Component along e1, e2, e3 for 0, 1, 2.
+template <class T>
+T component(const BasicVector3<T>& a, std::size_t axis) {
+  return axis == 0 ? a.e1 : axis == 1 ? a.e2 : a.e3;
 }
 /// The part of a vector that lies in the plane.
 template <class T>

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "mariotte/core/scale.hpp"
 #include "mariotte/impact/watch/highest.hpp"
+#include "mariotte/impact/watch/thinning.hpp"
 
 namespace mariotte::impact {
 
@@ -14,7 +16,7 @@ using model::vector3;
 
 namespace {
 
-constexpr std::size_t most_samples = 20000;
+constexpr std::size_t most_rows = 20000;
 const Scale no_scale{};
 
 template <int D>
@@ -58,12 +60,24 @@ ValuesAndSlopes at(const Rows& row, double place) {
   return sum;
 }
 
-/// Largest size between two places where it rises and falls, by Newton's method. It is flat there, so a loose
-/// place is enough for a tight value.
-double summit(std::span<const double> row, double low, double first, double high, double last) {
-  constexpr double loose = 1e-4;
-  constexpr int most = 8;
-  double place = low + (high - low) * first / (first - last), value = 0;
+struct Slope {
+  double place, value;
+};
+
+bool is_below(double share, const Slope& one, const Slope& other) {
+  return std::abs(one.value) <= share * std::abs(other.value);
+}
+
+/// Largest size between two places, if it rises and falls there; 0 if not. By Newton's method, which halves
+/// the bracket where it would leave it. It is flat there, so a loose place is enough for a tight value. A
+/// slope that is far smaller than the other is rounding.
+double summit(std::span<const double> row, Slope first, Slope last) {
+  constexpr double rounding = 1e-8, loose = 1e-4;
+  constexpr int most = 30;
+  if (!(first.value * last.value < 0) || is_below(rounding, first, last) || is_below(rounding, last, first))
+    return 0;
+  const double within = loose * (last.place - first.place);
+  double place = std::lerp(first.place, last.place, first.value / (first.value - last.value)), value = 0;
   for (int i = 0; i < most; ++i) {
     double slope = 0, bend = 0;
     value = 0;
@@ -72,31 +86,30 @@ double summit(std::span<const double> row, double low, double first, double high
       slope = slope * place + value;
       value = value * place + row[k];
     }
-    const double step = std::clamp(place - slope / bend, low, high) - place;
-    value += 0.5 * slope * step;
-    if (!(std::abs(step) > loose * (high - low))) break;
-    place += step;
+    (slope * first.value > 0 ? first : last) = {place, slope};
+    const double next = place - slope / bend;
+    if (std::abs(next - place) <= within) return std::abs(value + 0.5 * slope * (next - place));
+    place = next > first.place && next < last.place ? next : std::midpoint(first.place, last.place);
   }
   return std::abs(value);
 }
 
-/// Whether slopes at two places have other signs. One that is far smaller than the other is none.
-bool turns(double first, double last) {
-  constexpr double rounding = 1e-8;
-  return first * last < 0 &&
-         std::min(std::abs(first), std::abs(last)) > rounding * std::max(std::abs(first), std::abs(last));
-}
-
 /// Largest size of each. Slopes are told a little inside: at an end where it is flat, rounding has the sign.
+/// Where a contact is the clock of a step, all is flat at its onset and its end: there the middle is asked.
 std::array<double, 3> largest(const Rows& row, double end) {
-  constexpr double inside = 1e-6;
-  const double low = inside * end, high = end - low;
-  const auto first = at({row[0].first(4), row[1].first(4), row[2].first(4)}, low), last = at(row, high);
+  constexpr double inside = 1e-6, flat = 1e-3;
+  const double low = inside * end, middle = 0.5 * end, high = end - low;
+  const auto start = at({row[0].first(4), row[1].first(4), row[2].first(4)}, low), stop = at(row, high);
   std::array<double, 3> most;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    most[i] = std::max(std::abs(row[i][0]), std::abs(last.value[i] + low * last.slope[i]));
-    if (turns(first.slope[i], last.slope[i]))
-      most[i] = std::max(most[i], summit(row[i], low, first.slope[i], high, last.slope[i]));
+    const Slope first{low, start.slope[i]}, last{high, stop.slope[i]};
+    most[i] = std::max(std::abs(row[i][0]), std::abs(stop.value[i] + low * stop.slope[i]));
+    if (is_below(flat, first, last) || is_below(flat, last, first)) {
+      const Slope half{middle, at({row[i], row[i], row[i]}, middle).slope[0]};
+      most[i] = std::max({most[i], summit(row[i], first, half), summit(row[i], half, last)});
+    } else {
+      most[i] = std::max(most[i], summit(row[i], first, last));
+    }
   }
   return most;
 }
@@ -115,6 +128,16 @@ bool has_converged(std::span<const double> row, double end, double largest) {
 bool may_peak(double first, double half, double last) {
   const double bend = first - 2 * half + last;
   return bend < 0 && std::abs(last - first) < -3 * bend;
+}
+
+void drop_straightest(BodiesTrace& t) {
+  const auto bodies = t.body.front().size(), contacts = t.force.front().size();
+  Bends bends(t.time);
+  for (const auto motion : {&BodyEnd::velocity, &BodyEnd::spin})
+    bends.add(3 * bodies, [&](auto i, auto c) { return component(t.body[i][c / 3].*motion, c % 3); });
+  bends.add(contacts, [&](auto i, auto c) { return t.force[i][c]; });
+  bends.add(3 * contacts, [&](auto i, auto c) { return component(t.friction[i][c / 3], c % 3); });
+  keep_rows(bends.rows_to_keep(), t.time, t.body, t.gap, t.force, t.friction, t.slip);
 }
 
 double wrapped(double angle) {
@@ -159,7 +182,10 @@ BodiesObserver<D>::BodiesObserver(const model::Bodies& bodies, const model::Bodi
 template <int D>
 void BodiesObserver<D>::begin_phase(double time, ConstState x) {
   start_ = time;
-  if (observers_.trace) sample(time, x);  // friction may jump at events: one sample before, one after
+  if (!observers_.trace) return;
+  auto& t = trace_;
+  cut_rows(rows_until(time, t.time), t.time, t.body, t.gap, t.force, t.friction, t.slip);
+  sample(time, x);  // friction may jump at events: one sample before, one after
 }
 
 template <int D>
@@ -238,10 +264,11 @@ void BodiesObserver<D>::finish(double time, ConstState x) {
 
 template <int D>
 void BodiesObserver<D>::sample(double time, ConstState x) {
-  if (trace_.time.size() >= most_samples) return;
+  if (trace_.time.size() == most_rows) drop_straightest(trace_);
   const auto& field = system_.field(mode_, x);
   const auto contacts = std::ssize(system_.setting().contact);
-  trace_.time.push_back(time);
+  // Never earlier than the one before, by rounding.
+  trace_.time.push_back(trace_.time.empty() ? time : std::max(time, trace_.time.back()));
   trace_.body.push_back(bodies_at(bodies_, system_.setting(), x));
   auto& gap = trace_.gap.emplace_back();
   auto& force = trace_.force.emplace_back(contacts, 0.0);

@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "mariotte/impact/watch/highest.hpp"
+#include "mariotte/impact/watch/thinning.hpp"
 
 namespace mariotte::impact {
 namespace {
 
-constexpr std::size_t most_samples = 20000;
+constexpr std::size_t most_rows = 20000;
 
 /// The mass centre and the tips at one instant.
 struct Reading {
@@ -21,6 +22,18 @@ struct Reading {
     return mechanics.normal_force(mechanics.tip(x, i), i);
   }
 };
+
+void drop_straightest(BodyTrace& t) {
+  const auto tips = t.gap.front().size();
+  std::vector<double> time;
+  for (const auto& state : t.state) time.push_back(state.time);
+  Bends bends(time);
+  for (const auto motion : {&BodyState::velocity, &BodyState::spin})
+    bends.add(3, [&](auto i, auto c) { return component(t.state[i].*motion, c); });
+  bends.add(tips, [&](auto i, auto c) { return t.normal_force[i][c]; });
+  bends.add(3 * tips, [&](auto i, auto c) { return component(t.friction[i][c / 3], c % 3); });
+  keep_rows(bends.rows_to_keep(), t.state, t.gap, t.normal_force, t.friction, t.slip);
+}
 
 }  // namespace
 
@@ -47,7 +60,11 @@ void MicrobodyObserver::begin_phase(double time, ConstState x) {
   milestones_.push_back({time, {x.begin(), x.end()}});
   peaks_.emplace_back(system_.layout().tips);
   shared_friction_ = shared_friction_ || system_.mechanics().forces(x, system_.mode()).redundant;
-  if (observers_.trace) sample(time, x);  // friction jumps at events: one sample before, one after
+  if (!observers_.trace) return;
+  auto& t = trace_;
+  const auto rows = rows_until(time * system_.body().scale.time, t.state, &BodyState::time);
+  cut_rows(rows, t.state, t.gap, t.normal_force, t.friction, t.slip);
+  sample(time, x);  // friction jumps at events: one sample before, one after
 }
 
 TipPeaks MicrobodyObserver::now(ConstState x, Index i) const {
@@ -99,10 +116,12 @@ void MicrobodyObserver::finish(double time, ConstState x) {
 }
 
 void MicrobodyObserver::sample(double time, ConstState x) {
-  if (trace_.state.size() >= most_samples) return;
+  if (trace_.state.size() == most_rows) drop_straightest(trace_);
   const auto& mechanics = system_.mechanics();
   const auto& scale = system_.body().scale;
-  trace_.state.push_back(body_state(system_, time, x));
+  auto now = body_state(system_, time, x);
+  if (!trace_.state.empty()) now.time = std::max(now.time, trace_.state.back().time);  // rounding
+  trace_.state.push_back(now);
   auto& gap = trace_.gap.emplace_back();
   auto& normal = trace_.normal_force.emplace_back();
   auto& friction = trace_.friction.emplace_back();

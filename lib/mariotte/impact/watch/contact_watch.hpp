@@ -20,7 +20,10 @@ class ContactWatch final : public hybrid::PhaseObserver {
         due_(observers, scale, phase.velocities(), times) {
     peaks.begin(phase);
   }
-  void begin_phase(double time, ConstState) override { start_ = time; }
+  void begin_phase(double time, ConstState x) override {
+    start_ = time;
+    if (observers_.trace) trace.begin_phase(time, x);
+  }
   void observe(const flow::Step& step) override {
     peaks.observe(step);
     if (turning) turning->observe(step);

@@ -9,21 +9,25 @@
 
 namespace mariotte::impact {
 
-/// Keeps the ends of steps and, where a step is long against the contact time, points within. Whenever
-/// `capacity` rows are full, a quarter of them is dropped: those that are nearest to the line between their
-/// neighbours. So a rest of many steps does not cost the impacts before it their rows.
+/// Keeps the ends of steps and, where a step is long against the contact time, points within; where a force
+/// jumps, one row before and one after. Whenever `capacity` rows are full, a quarter of them is dropped:
+/// those that are nearest to the line between their neighbours. So a rest of many steps does not cost the
+/// impacts before it their rows.
 class TraceObserver {
  public:
   static constexpr std::size_t capacity = 4096;
 
   TraceObserver(const model::ContactPhase& phase, const Scale& scale) : phase_(phase), scale_(scale) {}
 
-  /// `start` is the absolute dimensionless time at which the step's phase began.
+  /// Times are absolute and dimensionless.
+  void begin_phase(double time, ConstState x);
+  /// `start` is the time at which the step's phase began.
   void observe(double start, const flow::Step& step);
   /// The samples, with the state at the ending as the last.
   Trace take(double time, ConstState x);
 
  private:
+  bool jumps(ConstState x) const;
   void keep(double time, ConstState x);
 
   const model::ContactPhase& phase_;

@@ -61,10 +61,6 @@ struct Vectors {
   std::vector<Index> number = {};
 };
 
-double component(const Vector3& vector, std::size_t axis) {
-  return axis == 0 ? vector.e1 : axis == 1 ? vector.e2 : vector.e3;
-}
-
 double largest(const Vectors& all) {
   double most = 0;
   for (const auto& row : all.rows)
