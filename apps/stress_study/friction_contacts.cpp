@@ -25,7 +25,8 @@ struct Normal {
 std::string law_text(std::string_view name, const contact::LawNumbers& numbers) {
   auto text = fmt::format("law = \"{}\"\n", name);
   for (const auto& key : named_law(name).keys)
-    if (!key.may_be_missing) text += fmt::format("{} = {}\n", key.key, exact(numbers.*key.number));
+    if (!key.may_be_missing || numbers.*key.number > 0)
+      text += fmt::format("{} = {}\n", key.key, exact(numbers.*key.number));
   return text;
 }
 
@@ -47,6 +48,17 @@ Normal some_walton_braun(Dice& dice, double depth) {
           stiffness, 1};
 }
 
+/// Half of those that adhere have a damper, up to one that takes all the energy. Drawn aside, so that the
+/// other numbers of a scene stay what they are.
+void maybe_damp(Dice dice, std::string_view name, contact::LawNumbers& sphere) {
+  if (dice.chance(0.5)) return;
+  const double mass = 2 * energy / (ball_speed * ball_speed), share = dice.between(1e-3, 1);
+  const double modulus = sphere.effective_modulus, radius = sphere.effective_radius;
+  if (name == "jkr") sphere.damping = share * std::sqrt(mass * modulus / radius);
+  if (name == "dmt") sphere.damping = share * std::sqrt(mass * modulus * radius);
+  if (name == "brach-dunn") sphere.damping_hertz = sphere.damping_adhesion = share / ball_speed;
+}
+
 /// Spheres that yield before or beyond their natural depth, or adhere, or both.
 Normal some_sphere(Dice& dice, double depth, bool adheres) {
   const double radius = ball_radius / 2, stiffness = energy / std::pow(depth, 2.5);
@@ -61,6 +73,7 @@ Normal some_sphere(Dice& dice, double depth, bool adheres) {
   if (yields) sphere.yield_pressure = least_yield_pressure(sphere) + pressure;
   const char* sticky = dice.chance(0.5) ? "jkr" : dice.chance(0.5) ? "dmt" : "brach-dunn";
   const char* name = !adheres ? "thornton" : yields ? "thornton-ning" : sticky;
+  maybe_damp(dice, name, sphere);
   return {law_text(name, sphere), stiffness, 1.5};
 }
 

@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <memory>
 
+#include "mariotte/contact/jkr.hpp"
+#include "mariotte/contact/stated_law.hpp"
 #include "mariotte/contact/tsuji.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "support/flow_steps.hpp"
@@ -49,5 +51,37 @@ BOOST_AUTO_TEST_CASE(a_stick_does_not_slip_where_its_depth_is_rounding) {
         if (!event.of(model::BodyEvent::stick).empty()) stuck = event.time;
         if (!event.of(model::BodyEvent::slip).empty()) BOOST_TEST(event.time - stuck > 1e-10);
       }
+    }
+}
+
+/// Its damper pushes from the first instant on. What rounding of the depth makes of that is little; the whole
+/// force would let the spring exceed its cap for as long as the contact lasts.
+BOOST_AUTO_TEST_CASE(a_damped_adhesive_contact_slips_when_its_spring_exceeds_the_cap) {
+  constexpr double radius = 5e-3;
+  for (const double damping : {10.0, 100.0, 450.0})
+    for (const double slip : {-0.2, -0.05, 0.1}) {
+      model::Bodies bodies{.dimension = 2};
+      bodies.body = {{.name = "",
+                      .mass = 5.2e-4,
+                      .inertia = {5.2e-9, 5.2e-9, 5.2e-9},
+                      .spheres = {{{}, radius}},
+                      .position = {0, 5.1e-3, 0},
+                      .attitude = {},
+                      .angle = 0,
+                      .velocity = {slip, -0.12, 0},
+                      .spin = {}}};
+      bodies.plane = {{.name = "", .point = {}, .normal = {0, 1, 0}, .velocity = {}}};
+      bodies.contact = {{.a = {0, -1},
+                         .b = {0, 0},
+                         .law = contact::state(contact::Jkr(5.5e6, radius, 0.02, damping)),
+                         .tangential = {model::TangentialLaw::spring, 0.25, 450}}};
+      bodies.named = 1;
+      const auto run = [&](flow::Kind kind) {
+        return impact::simulate(bodies, {.accuracy = 1e-10, .max_time = 0.01, .flow = kind});
+      };
+      const auto series = run(flow::Kind::taylor), adams = run(flow::Kind::cvode_adams);
+      BOOST_TEST(series.events.size() == adams.events.size());
+      BOOST_TEST(norm(series.body[0].velocity - adams.body[0].velocity) < 1e-10);
+      BOOST_TEST(radius * norm(series.body[0].spin - adams.body[0].spin) < 1e-10);
     }
 }

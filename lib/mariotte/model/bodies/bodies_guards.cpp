@@ -16,9 +16,10 @@ double BodiesPhase<D>::cap_noise(const ClosedContact& mode, const ContactMotion<
   const auto& one = setting_.contact[mode.contact];
   const double share = setting_.slip_noise * one.force;
   const double depth = -series::value_of(motion.gap), rate = -series::value_of(motion.gap_rate);
-  if (depth < mode.gap_noise && rate > 0)
-    return std::max(share,
-                    one.tangential.friction * smooth_force(one.law, mode.past, mode.gap_noise, rate).value);
+  if (depth < mode.gap_noise && rate > 0) {
+    const auto force = [&](double at) { return smooth_force(one.law, mode.past, at, rate).value; };
+    return std::max(share, one.tangential.friction * std::abs(force(mode.gap_noise) - force(0)));
+  }
   if (!contact::branched(one.law)) return share;
   const double stiffness = smooth_force(one.law, mode.past, depth, rate).by_indentation;
   return std::max(share, one.tangential.friction * std::abs(stiffness) * setting_.rounding * one.length);
