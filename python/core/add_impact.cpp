@@ -145,26 +145,21 @@ void save_csv(const Impact& impact, const std::string& path) {
   report::write_file(report::metadata_name(path), report::trace_metadata(name, trace, origin(impact), known));
 }
 
+/// Of a chain the tables of the command; of others, whose columns are of many kinds, those of the CSV.
 void save_hdf5(const Impact& impact, const std::string& path) {
   const auto traced = simulate(impact.box(), impact.options(), {.trace = true});
-  const auto trace =
-      std::visit(Overload{[](const Contacts& contacts) { return contacts.trace; },
-                          [](const impact::BodiesImpact& one) { return contact_trace(one); },
-                          [](const Body&) -> impact::Trace {
-                            throw InvalidParameter("HDF5 holds traces of contacts; save the body's as .csv");
-                          }},
-                 traced);
+  const auto* row = std::get_if<impact::ChainImpact>(&traced);
+  if (!row) return report::write_hdf5_columns(path, report::trace_text(traced), origin(impact));
+  const auto& trace = row->trace;
   const auto places = [](const auto& rows) {
     std::vector<Index> all(rows.empty() ? 0 : rows.front().size());
     std::iota(all.begin(), all.end(), 0);
     return all;
   };
   const auto file = report::new_hdf5_trace(path, places(trace.velocity), places(trace.gap), origin(impact));
-  for (std::size_t row = 0; row < trace.time.size(); ++row)
-    file->add({.time = trace.time[row],
-               .velocity = trace.velocity[row],
-               .gap = trace.gap[row],
-               .force = trace.force[row]});
+  for (std::size_t i = 0; i < trace.time.size(); ++i)
+    file->add(
+        {.time = trace.time[i], .velocity = trace.velocity[i], .gap = trace.gap[i], .force = trace.force[i]});
   file->commit();
 }
 

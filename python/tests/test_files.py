@@ -73,6 +73,23 @@ def test_hdf5_says_where_it_comes_from(name, tmp_path, triplet):
         assert text.startswith(b"\x89HDF") and [word for word in words + more if word.encode() not in text] == []
 
 
+@pytest.mark.parametrize("scene", ["coin", "microrod", "y_chain"])
+def test_hdf5_of_more_than_rows_has_the_columns_of_the_csv(scene, tmp_path):
+    h5py = pytest.importorskip("h5py")
+    hit = mt.simulate(mt.load(SCENES / f"{scene}.toml"))
+    hit.save(tmp_path / "hit.csv")
+    hit.save(tmp_path / "hit.h5")
+    heads = (tmp_path / "hit.csv").read_text().splitlines()[0].split(",")
+    rows = np.loadtxt(tmp_path / "hit.csv", delimiter=",", skiprows=1)
+    with h5py.File(tmp_path / "hit.h5") as file:
+        assert len(file) == len(heads)
+        for head, column in zip(heads, rows.T):
+            name, _, unit = head.partition(" [")
+            assert file[name].attrs.get("units", b"1").decode() == (unit.rstrip("]") or "1")
+            assert file[name].dims[0].keys() == ["time"] or name == "time"
+            np.testing.assert_array_equal(file[name], column)
+
+
 def test_a_folder_that_is_not_there_is_a_file_error(tmp_path, triplet):
     with pytest.raises(mt.FileError):
         mt.simulate(triplet).save(tmp_path / "none" / "hit.json")

@@ -23,6 +23,10 @@ std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, con
   refuse(path);
 }
 
+void write_hdf5_columns(const std::filesystem::path& path, const std::string&, const Attributes&) {
+  refuse(path);
+}
+
 std::unique_ptr<SweepFile> new_hdf5_sweep(const std::filesystem::path& path, const study::Design&,
                                           const std::vector<study::Column>&, const Attributes&) {
   refuse(path);

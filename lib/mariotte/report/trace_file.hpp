@@ -32,4 +32,8 @@ std::unique_ptr<TraceFile> new_trace_file(const std::filesystem::path& path, con
 std::unique_ptr<TraceFile> new_hdf5_trace(const std::filesystem::path& path, const std::vector<Index>& balls,
                                           const std::vector<Index>& contacts, const Attributes& origin = {});
 
+/// A whole table, CSV with units in its head, as HDF5: a table for each column, of its name, with attribute
+/// `units`; the first one is the axis of all. Throws FileError as above.
+void write_hdf5_columns(const std::filesystem::path& path, const std::string& csv, const Attributes& origin);
+
 }  // namespace mariotte::report

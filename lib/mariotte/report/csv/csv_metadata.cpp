@@ -10,8 +10,7 @@ namespace {
 Json column(const std::string& title, std::span<const impact::Description> known) {
   const auto name = key_of_column(title);
   Json made = {{"titles", title}, {"name", name}, {"datatype", "number"}};
-  if (title.ends_with(']'))
-    made["schema:unitText"] = title.substr(name.size() + 2, title.size() - name.size() - 3);
+  if (title.ends_with(']')) made["schema:unitText"] = unit_of_column(title);
   const auto symbol = name.substr(0, name.find_first_of("0123456789"));
   for (const auto& is : known)
     if (is.symbol == symbol || is.key == symbol) made["dc:description"] = is.meaning;
