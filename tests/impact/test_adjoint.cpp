@@ -195,6 +195,24 @@ BOOST_AUTO_TEST_CASE(linear_contacts_that_wait_for_the_wave_have_no_slopes_on_bo
   BOOST_TEST(std::abs(slope_by(all.slopes, mass) / all.slopes.mass[41] - 1) < 1e-10);
 }
 
+// What a contact near the edge of the first island would pass on at once is not there yet.
+BOOST_AUTO_TEST_CASE(linear_contacts_near_the_edge_of_an_island_have_right_slopes_or_none) {
+  const auto row = row_of(std::vector<contact::Law>(59, contact::Linear(1)), std::vector<double>(59));
+  const hybrid::Options until{.accuracy = 1e-8, .max_time = 50};
+  auto by = impact::parameters(row);
+  std::erase_if(by, [](const auto& one) { return !one.name.starts_with("gap["); });
+  by.resize(24);
+  const auto back = swept(row, 18, until);
+  const auto forward = impact::sensitivity(row, by, until).outcome[18];
+  Index known = 0;
+  for (std::size_t j = 0; j < by.size(); ++j) {
+    if (std::isnan(back.slopes.gap[j])) continue;
+    ++known;
+    BOOST_TEST(std::abs(back.slopes.gap[j] - forward.slope[j].value()) < 1e-6);
+  }
+  BOOST_TEST(known >= 4);
+}
+
 BOOST_AUTO_TEST_CASE(numbers_of_a_row_may_depend_on_another) {
   const auto row = row_of(hertz, apart);
   const impact::Parameter<model::Chain> all{"all", 2, 0.02, [&](double value, model::Chain& moved) {
