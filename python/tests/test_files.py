@@ -85,7 +85,7 @@ def test_hdf5_of_more_than_rows_has_the_columns_of_the_csv(scene, tmp_path):
         assert len(file) == len(heads)
         for head, column in zip(heads, rows.T):
             name, _, unit = head.partition(" [")
-            assert file[name].attrs.get("units", b"1").decode() == (unit.rstrip("]") or "1")
+            assert file[name].attrs.get("units", "1") == (unit.rstrip("]") or "1")
             assert file[name].dims[0].keys() == ["time"] or name == "time"
             np.testing.assert_array_equal(file[name], column)
 

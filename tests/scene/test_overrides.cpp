@@ -73,6 +73,8 @@ BOOST_AUTO_TEST_CASE(a_path_that_leads_nowhere_is_named) {
   BOOST_TEST(complaint("chain.velocity[9]=2") ==
              "--set chain.velocity[9]: no element 9: 'chain.velocity' has 3 (counted from 0)");
   BOOST_TEST(complaint("chain.gap[0]=2") == "--set chain.gap[0]: the scene has no 'chain.gap'");
+  BOOST_TEST(complaint("chain.velocitty[0]=2") ==
+             "--set chain.velocitty[0]: the scene has no 'chain.velocitty' (did you mean 'velocity'?)");
   BOOST_TEST(
       complaint("network.stiffness[0]=2")
           .ends_with("has no 'network.stiffness' (it follows from radii and materials; a list, stiffness "

@@ -2,6 +2,9 @@
 
 #include <charconv>
 #include <string>
+#include <vector>
+
+#include "mariotte/core/nearest.hpp"
 
 namespace mariotte::scene {
 namespace {
@@ -73,11 +76,15 @@ Node& element(Node& node, std::size_t index, const Path& path, const std::string
   return (*array)[index];
 }
 
-/// What a scene may leave to other keys, and has no elements then.
-std::string where_from(std::string_view name, const std::string& parent) {
+/// What a scene may leave to other keys, and has no elements then; or a key that is near to a misspelt one.
+std::string where_from(std::string_view name, const std::string& parent, const Table& known) {
   if (name == "stiffness")
     return " (it follows from radii and materials; a list, stiffness = [...], has elements that can vary)";
-  if (name != "contact" || parent.empty()) return "";
+  if (name != "contact" || parent.empty()) {
+    std::vector<std::string_view> names;
+    for (const auto& entry : known) names.push_back(entry.key);
+    return suggestion(name, names);
+  }
   if (parent == "network") return " (contacts of balls share the keys of [network])";
   return " (a table [[" + parent + ".contact]] has what is different at one contact)";
 }
@@ -87,7 +94,8 @@ Node& member(Node& node, std::string_view name, const Path& path, const std::str
   Table* const table = node.table();
   if (!table) path.fail("'" + parent + "' is " + kind(node) + ", not a table");
   if (Entry* const entry = find(*table, name)) return entry->node;
-  if (path.index_follows()) path.fail("the scene has no '" + path.walked() + "'" + where_from(name, parent));
+  if (path.index_follows())
+    path.fail("the scene has no '" + path.walked() + "'" + where_from(name, parent, *table));
   table->push_back({std::string(name), place, Node{Table{}, place}});
   return table->back().node;
 }
