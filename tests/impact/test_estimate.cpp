@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "mariotte/impact/another_flow.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/model/chain/dimensionless_chain.hpp"
 #include "support/extended_row.hpp"
@@ -76,4 +77,38 @@ BOOST_AUTO_TEST_CASE(modes_that_agree_do_not_hide_what_rounding_makes) {
   const auto truth = test::ExtendedRow(chain).run();
   BOOST_TEST(error(chain, impact::simulate(chain), truth) > 1e-10);
   expect_honest(chain, truth, 1e-10);
+}
+
+/// A run by another flow, as far as an estimate looks at it.
+struct OtherRun {
+  hybrid::Ending ending;
+  std::optional<double> estimated_accuracy;
+};
+
+BOOST_AUTO_TEST_CASE(a_run_by_another_flow_counts_where_it_is_further_away_than_its_own_error) {
+  using hybrid::Ending;
+  const auto estimate = [](double difference, const OtherRun& other) {
+    return impact::beside_another_flow(
+        1e-13, {.accuracy = 1e-14}, flow::Kind::cvode_adams, 1e-12,
+        [&](const hybrid::Options& options) {
+          BOOST_TEST((options.flow == flow::Kind::cvode_adams));
+          BOOST_TEST(options.accuracy == 1e-12);
+          return other;
+        },
+        [&](const OtherRun&) { return difference; });
+  };
+  BOOST_TEST(estimate(1e-3, {Ending::separated, {}}) == 1e-3);
+  BOOST_TEST(estimate(5e-12, {Ending::separated, {}}) == 1e-13);
+  BOOST_TEST(estimate(1e-3, {Ending::separated, 1e-2}) == 1e-13);
+  BOOST_TEST(estimate(1e-3, {Ending::failed, {}}) == 1e-13);
+}
+
+BOOST_AUTO_TEST_CASE(what_cvode_has_followed_alone_has_no_other_flow) {
+  impact::ChainImpact run;
+  run.flows = {{.name = "ballistic"}, {.name = "cvode-adams"}};
+  BOOST_TEST(impact::has_no_other(run, {}));
+  BOOST_TEST(!impact::has_no_other(run, {.flow = flow::Kind::cvode_adams}));
+  BOOST_TEST((impact::another_flow({.flow = flow::Kind::cvode_adams}) == std::nullopt));
+  run.flows.push_back({.name = "taylor"});
+  BOOST_TEST(!impact::has_no_other(run, {}));
 }

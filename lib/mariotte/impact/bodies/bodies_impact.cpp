@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/core/error.hpp"
+#include "mariotte/impact/another_flow.hpp"
 #include "mariotte/impact/bodies/bodies_balance.hpp"
 #include "mariotte/impact/bodies/bodies_frame.hpp"
 #include "mariotte/impact/bodies/bodies_watch.hpp"
@@ -233,7 +234,13 @@ double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& opt
   const double least = bodies.dimension == 2
                            ? model::setting_of<2>(bodies, options.accuracy, options.max_time).sag_speed
                            : model::setting_of<3>(bodies, options.accuracy, options.max_time).sag_speed;
-  return error_bound(difference(bodies, least, result, own), own.estimated_accuracy);
+  const auto apart = [&](const BodiesImpact& other) { return difference(bodies, least, result, other); };
+  const double from_tighter = error_bound(apart(own), own.estimated_accuracy);
+  constexpr Index most_bodies = 50;  // of more CVODE takes minutes
+  if (std::ssize(bodies.body) > most_bodies || has_no_other(result, options)) return from_tighter;
+  return beside_another_flow(
+      from_tighter, tighter, another_flow(options), 10 * cvode_floor,
+      [&](const auto& how) { return simulate(bodies, how); }, apart);
 }
 
 }  // namespace mariotte::impact

@@ -111,7 +111,7 @@ BodiesImpact simulate(const model::Bodies& bodies, const hybrid::Options& option
                       const RunObserver& observers = {});
 
 /// Error of the final velocities, and of spin × reach, relative to the largest incident speed, from a second
-/// run at a tighter accuracy.
+/// run at a tighter accuracy and, of up to 50 bodies, one by a flow that shares no formula.
 double estimate_accuracy(const model::Bodies& bodies, const hybrid::Options& options,
                          const BodiesImpact& result);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mariotte/core/counted.hpp"
+#include "mariotte/impact/another_flow.hpp"
 #include "mariotte/impact/chain/chain_frame.hpp"
 #include "mariotte/impact/chain/chain_gate.hpp"
 #include "mariotte/impact/chain/chain_solver.hpp"
@@ -174,15 +175,16 @@ ChainImpact simulate_once(const model::Chain& chain, const hybrid::Options& opti
   return impact;
 }
 
-/// A flow that shares no formula with what `options` lets run: CVODE, or the choice itself beside CVODE.
+/// BDF where contacts are damped so strongly that it would take over from Adams' method.
 std::optional<flow::Kind> another_flow(const model::Chain& chain, const hybrid::Options& options) {
-  if (options.flow && is_cvode(*options.flow)) return std::nullopt;
+  const auto kind = impact::another_flow(options);
+  if (!kind) return kind;
   constexpr double stiff = 5;  // as flow::choose has it
   DimensionlessChain scaled;
   make_dimensionless(chain, options.accuracy, scaled);
   for (std::size_t j = 0; j < scaled.law.size(); ++j)
     if (damping_group(scaled, j) > stiff) return flow::Kind::cvode_bdf_klu;
-  return flow::Kind::cvode_adams;
+  return kind;
 }
 
 /// Waves may be moved on; where a flow is asked for by name they are followed.
@@ -227,7 +229,6 @@ model::Chain with_reached_speeds(const model::Chain& chain, const hybrid::Option
 
 double estimate_accuracy(const model::Chain& chain, const hybrid::Options& options,
                          const ChainImpact& result) {
-  constexpr double cvode_floor = 1e-12;
   const double speed = reference_speed(chain.drive.empty() ? chain : with_reached_speeds(chain, options));
   ChainSolver solver;
   auto tighter = options;
@@ -238,14 +239,10 @@ double estimate_accuracy(const model::Chain& chain, const hybrid::Options& optio
   const double from_tighter =
       error_bound(difference(result.velocity, own.velocity, speed, chain.drive), own.estimated_accuracy);
   if (divides(options, chain)) return from_tighter;
-  tighter.flow = another_flow(chain, options);
-  tighter.accuracy = std::max(tighter.accuracy, cvode_floor);
-  const auto& other = solver.solve(chain, tighter);
-  using hybrid::Ending;
-  if (other.ending == Ending::failed || other.ending == Ending::event_limit) return from_tighter;
-  const double from_other = difference(result.velocity, other.velocity, speed, chain.drive);
-  const double others_own = std::max(10 * cvode_floor, 4 * other.estimated_accuracy.value_or(0));
-  return from_other > others_own ? std::max(from_tighter, from_other) : from_tighter;
+  return beside_another_flow(
+      from_tighter, tighter, another_flow(chain, options),
+      cvode_floor, [&](const auto& how) -> const auto& { return solver.solve(chain, how); },
+      [&](const auto& other) { return difference(result.velocity, other.velocity, speed, chain.drive); });
 }
 
 }  // namespace mariotte::impact

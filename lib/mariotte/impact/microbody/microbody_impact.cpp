@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/another_flow.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/microbody/microbody_difference.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
@@ -218,10 +219,16 @@ double estimate_accuracy(const model::Microbody& body, const hybrid::Options& op
                          const MicrobodyImpact& result) {
   auto tighter = options;
   tighter.accuracy = std::max(1e-2 * options.accuracy, 16 * epsilon);
+  const auto apart = [&](const MicrobodyImpact& other) {
+    return difference(body, result.final.velocity - other.final.velocity,
+                      result.final.spin - other.final.spin);
+  };
   const auto own = simulate(body, tighter);
-  return error_bound(
-      difference(body, result.final.velocity - own.final.velocity, result.final.spin - own.final.spin),
-      own.estimated_accuracy);
+  const double from_tighter = error_bound(apart(own), own.estimated_accuracy);
+  if (has_no_other(result, options)) return from_tighter;
+  return beside_another_flow(
+      from_tighter, tighter, another_flow(options), cvode_floor,
+      [&](const auto& how) { return simulate(body, how); }, apart);
 }
 
 }  // namespace mariotte::impact

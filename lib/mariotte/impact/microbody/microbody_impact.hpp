@@ -95,7 +95,7 @@ MicrobodyImpact simulate(const model::Microbody& body, const hybrid::Options& op
                          const RunObserver& observers = {});
 
 /// Error of the final velocity, and of spin × reach, relative to the largest incident speed, from a second
-/// run at a tighter accuracy.
+/// run at a tighter accuracy and one by a flow that shares no formula.
 double estimate_accuracy(const model::Microbody& body, const hybrid::Options& options,
                          const MicrobodyImpact& result);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mariotte/hybrid/simulate.hpp"
+#include "mariotte/impact/another_flow.hpp"
 #include "mariotte/impact/energy.hpp"
 #include "mariotte/impact/flow_uses.hpp"
 #include "mariotte/impact/impulses.hpp"
@@ -171,7 +172,15 @@ double estimate_accuracy(const model::Network& network, const hybrid::Options& o
   const auto& own = solver.solve(network, tighter);
   const double speed =
       reference_speed(network.drive.empty() ? network : with_reached_speeds(network, options));
-  return error_bound(rate_difference(network, speed, result.velocity, own.velocity), own.estimated_accuracy);
+  const auto apart = [&](const auto& other) {
+    return rate_difference(network, speed, result.velocity, other.velocity);
+  };
+  const double from_tighter = error_bound(apart(own), own.estimated_accuracy);
+  constexpr Index most_contacts = 200;  // of more CVODE takes minutes
+  if (std::ssize(network.direction) > most_contacts || has_no_other(result, options)) return from_tighter;
+  return beside_another_flow(
+      from_tighter, tighter, another_flow(options),
+      cvode_floor, [&](const auto& how) -> const auto& { return solver.solve(network, how); }, apart);
 }
 
 }  // namespace mariotte::impact

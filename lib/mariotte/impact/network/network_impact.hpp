@@ -26,7 +26,7 @@ NetworkImpact simulate(const model::Network& network, const hybrid::Options& opt
 model::Network with_reached_speeds(const model::Network& network, const hybrid::Options& options);
 
 /// Error of the gap rates that follow from `result.velocity`, relative to the reference speed, from a second
-/// run at a tighter accuracy.
+/// run at a tighter accuracy and, of up to 200 contacts, one by a flow that shares no formula.
 double estimate_accuracy(const model::Network& network, const hybrid::Options& options,
                          const NetworkImpact& result);
 
