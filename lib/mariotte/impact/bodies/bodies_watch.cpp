@@ -242,15 +242,25 @@ void BodiesObserver<D>::sample_forces(const flow::Step& step) {
   }
 }
 
+/// A step of a series may cross half a contact: a picture needs points between.
+template <int D>
+int BodiesObserver<D>::pieces_of(double duration) const {
+  constexpr double least = 4, most = 32, per_natural_time = 20;
+  double natural = infinity;
+  for (const auto& one : mode_.closed)
+    natural = std::min(natural, system_.setting().contact[one.contact].time);
+  return static_cast<int>(std::clamp(per_natural_time * duration / natural, least, most));
+}
+
 template <int D>
 void BodiesObserver<D>::observe(const flow::Step& step) {
   due_.take_within(start_, step, [&](ConstState x) { return Reading<D>{system_, mode_, x}; });
   search(step);
   if (!observers_.trace) return;
-  constexpr int samples = 4;
+  const int pieces = pieces_of(step.end - step.start);
   inside_.resize(step.before.size());
-  for (int k = 1; k < samples; ++k) {
-    const double time = step.start + (step.end - step.start) * k / samples;
+  for (int k = 1; k < pieces; ++k) {
+    const double time = step.start + (step.end - step.start) * k / pieces;
     step.at(time, inside_);
     sample(start_ + time, inside_);
   }

@@ -38,6 +38,7 @@ class BodiesObserver final : public hybrid::PhaseObserver {
   void read(ConstState x, std::vector<ContactPeaks>& list) const;
   void search(const flow::Step& step);
   void sample_forces(const flow::Step& step);
+  int pieces_of(double duration) const;
   void sample(double time, ConstState x);
 
   const model::Bodies& bodies_;

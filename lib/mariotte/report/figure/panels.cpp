@@ -31,7 +31,7 @@ double step_between(double start, double end, double width) {
 }
 
 /// gnuplot's ticks on a panel of `width` pixels. Beside others no number may reach over to theirs. Where
-/// there is room for one number only, two near the ends say how long the panel is.
+/// there is room for one number only, two near the ends say how long the panel is, or one says where it is.
 std::string ticks(double start, double end, double width, bool has_others) {
   const auto inset = [&](double step) {
     const double half = 0.5 * (pixels_of_tick(end, step) - room_of_tick);
@@ -50,6 +50,8 @@ std::string ticks(double start, double end, double width, bool has_others) {
     if (last(step) > first(step) && apart > pixels_of_tick(end, step) - room_of_tick)
       return fmt::format("{:.10g},{:.10g},{:.10g}", first(step), last(step) - first(step), last(step));
   }
+  for (step = even; step > 1e-3 * even; step = tick_step(0.3 * step, 1))
+    if (first(step) <= last(step)) return fmt::format("{0:.10g},{1:g},{0:.10g}", first(step), step);
   return fmt::format("{:g}", even);
 }
 

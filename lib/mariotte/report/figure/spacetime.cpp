@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mariotte/report/figure/gnuplot.hpp"
+#include "mariotte/report/figure/ticks.hpp"
 #include "mariotte/report/figure/title.hpp"
 
 namespace mariotte::report {
@@ -67,8 +68,10 @@ std::string Spacetime::script(const std::string& title) const {
   std::string text = set_title(title);
   text += fmt::format("set xlabel 'ball i'\nset ylabel 'time t [{}]'\nset cblabel 'velocity v [{}]'\n",
                       time.unit, speed.unit);
-  text += fmt::format("set xrange [0.5:{}]\nset yrange [0:{:.8g}]\nset tics out nomirror\n",
-                      static_cast<double>(balls_) + 0.5, time.factor * end());
+  constexpr double numbers = 5;  // of six digits have room below the image
+  const auto balls = static_cast<double>(balls_);
+  text += fmt::format("set xrange [0.5:{}]\nset xtics {:g}\nset yrange [0:{:.8g}]\nset tics out nomirror\n",
+                      balls + 0.5, tick_step(balls, numbers), time.factor * end());
   text += fmt::format("set cbrange [{:.6g}:{:.6g}]\nunset grid\n", speed.factor * *slowest,
                       speed.factor * *fastest);
   // An expression costs gnuplot more for each pixel than the rest of the picture.
