@@ -87,10 +87,29 @@ bool touches_at_rest(const Chain& chain, std::size_t j) {
          chain.velocity[j] == chain.velocity[j + 1];
 }
 
-/// Slopes that differ on both sides.
+/// Also marks the neighbours of what is marked that touch at rest, on one side.
+std::vector<char> with_neighbours(std::vector<char> marked, const std::vector<char>& touches, bool before) {
+  constexpr int felt = 12;  // from further away only rounding arrives before the wave
+  int left = 0;
+  for (std::size_t k = 0; k < marked.size(); ++k) {
+    const auto j = before ? marked.size() - 1 - k : k;
+    left = marked[j] ? felt : touches[j] ? left - 1 : 0;
+    if (left > 0) marked[j] = 1;
+  }
+  return marked;
+}
+
+/// Slopes that differ on both sides: by contacts that wait for the wave. So are those by their neighbours,
+/// which would pass on at once what is put into them, to contacts that are not followed yet.
 void leave_out_waiting(const Chain& chain, const std::vector<char>& waiting, RowSlopes& slopes) {
+  std::vector<char> touches, waits;
+  for (std::size_t j = 0; j < chain.law.size(); ++j) {
+    touches.push_back(touches_at_rest(chain, j));
+    waits.push_back(waiting[j] && touches[j]);
+  }
+  const auto before = with_neighbours(waits, touches, true), after = with_neighbours(waits, touches, false);
   for (std::size_t j = 0; j < chain.law.size(); ++j)
-    if (waiting[j] && touches_at_rest(chain, j))
+    if (before[j] || after[j])
       slopes.gap[j] = slopes.velocity[j] = slopes.velocity[j + 1] = std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -28,10 +28,6 @@ std::optional<MotionMemory::Edge> MotionMemory::edge() const {
   return Edge{first_, motion_.stretch.front()};
 }
 
-/// So many contacts from the edge of an island what is put into one does not reach the edge, but by rounding,
-/// before the island grows.
-constexpr Index felt = 12;
-
 /// Contacts that the stretch has taken in first.
 void MotionMemory::note_waiting(const MotionRecord::Stretch& last_part) {
   constexpr double same = 1e-9;  // in units of a short contact
@@ -40,12 +36,8 @@ void MotionMemory::note_waiting(const MotionRecord::Stretch& last_part) {
   // The island has been there before, and has only been cut anew.
   const bool goes_on =
       std::any_of(balls.begin(), balls.end(), [&](Instant time) { return last_part.begin - time < same; });
-  const Index row_end = std::ssize(seen_);
-  const auto is_near_edge = [&](Index j) {
-    return (first > 0 && j - first < felt) || (last < row_end && last - 1 - j < felt);
-  };
   for (Index j = first; j < last; ++j)
-    if (!std::exchange(seen_[j], 1)) waiting_[j] = goes_on || is_near_edge(j);
+    if (!std::exchange(seen_[j], 1)) waiting_[j] = goes_on;
   std::fill(balls.begin(), balls.end(), last_part.end);
 }
 

@@ -38,8 +38,7 @@ class MotionMemory {
   /// If something has been left out.
   std::optional<Edge> edge() const;
   std::size_t most_bytes() const { return most_bytes_; }
-  /// By contact: it was taken into an island that was there, for a wave came to it, or stood near the edge of
-  /// a new one: what it would pass on at once is not there yet.
+  /// By contact: it was taken into an island that was there, for a wave came to it.
   const std::vector<char>& waiting() const { return waiting_; }
 
  private:
