@@ -37,7 +37,7 @@ struct Progress {
 
 /// Who looks on while a model is simulated.
 struct RunObserver {
-  bool trace = false;  ///< keep samples in the result, at most a few thousand rows
+  bool trace = false;  ///< keep samples in the result, at most 20 000 rows
   std::vector<Sampling> samplings = {};
   /// Told after every event; may be empty. A run that is repeated at a tighter accuracy tells its way once
   /// more. What it throws ends the run and reaches the caller.
