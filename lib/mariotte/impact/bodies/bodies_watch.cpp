@@ -16,7 +16,6 @@ using model::vector3;
 
 namespace {
 
-constexpr std::size_t most_rows = 20000;
 const Scale no_scale{};
 
 template <int D>

@@ -8,8 +8,6 @@
 namespace mariotte::impact {
 namespace {
 
-constexpr std::size_t most_rows = 20000;
-
 /// The mass centre and the tips at one instant.
 struct Reading {
   const model::MicrobodySystem& system;

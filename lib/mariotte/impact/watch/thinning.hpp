@@ -11,6 +11,9 @@
 
 namespace mariotte::impact {
 
+/// Of traces of bodies and microbodies.
+inline constexpr std::size_t most_rows = 20000;
+
 /// How far rows are from the line between their neighbours, relative to the largest of their column, or to a
 /// thousandth of the largest of the table: less is rounding, or too faint to be seen.
 class Bends {
