@@ -28,7 +28,7 @@ struct BrachDunnLaw : AdhesiveStatement {
     return normal_force(tip, indentation, T(-1.0 * rate));
   }
   double stored_energy(const Memory&, double d) const { return d > 0 ? contact::stored_energy(tip, d) : 0; }
-  const BrachDunn* adhesive_tip() const { return &tip; }
+  std::optional<BrachDunn> adhesive_tip() const { return tip; }
   std::optional<double> rest_indentation(const Memory&) const { return contact::rest_indentation(tip); }
   bool is_damped() const { return tip.damping_hertz > 0 || tip.damping_adhesion > 0; }
   std::vector<LawParameter> parameters() const {

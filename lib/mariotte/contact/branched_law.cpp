@@ -59,6 +59,16 @@ class ScaledBranches final : public BranchedLaw {
     branch->damping *= scale_.length * scale_.velocity / scale_.force();
     return branch;
   }
+  std::optional<BrachDunn> adhesive_tip() const override {
+    auto tip = law_.adhesive_tip();
+    if (!tip) return tip;
+    const double per_root = std::sqrt(scale_.length) / scale_.force();
+    tip->stiffness *= per_root * scale_.length;
+    tip->adhesion *= per_root;
+    tip->damping_hertz *= scale_.velocity;
+    tip->damping_adhesion *= scale_.velocity;
+    return tip;
+  }
   std::optional<double> rest_indentation(const Memory& past) const override {
     auto rest = law_.rest_indentation(stated(past));
     if (rest) *rest /= scale_.length;

@@ -40,7 +40,7 @@ class BranchedLaw : public CustomLaw {
   /// The present branch if it is a polynomial in the root of a contact radius; series follow it.
   virtual std::optional<WidthBranch> width_branch(const Memory&) const { return std::nullopt; }
   /// The law of a tip with a ring of adhesion, if it is that; series follow it.
-  virtual const BrachDunn* adhesive_tip() const { return nullptr; }
+  virtual std::optional<BrachDunn> adhesive_tip() const { return std::nullopt; }
   /// Indentation at which the force of the present branch rises through zero, if the law knows it.
   virtual std::optional<double> rest_indentation(const Memory&) const { return std::nullopt; }
   /// Energy lost to yielding up to an indentation of the plastic branch [J].

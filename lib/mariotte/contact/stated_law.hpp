@@ -25,7 +25,7 @@ struct LawStatement {
   double plastic_loss(double) const { return 0; }
   std::optional<ShiftedPower> power(const Memory&) const { return std::nullopt; }
   std::optional<WidthBranch> width_branch(const Memory&) const { return std::nullopt; }
-  const BrachDunn* adhesive_tip() const { return nullptr; }
+  std::optional<BrachDunn> adhesive_tip() const { return std::nullopt; }
   std::optional<double> rest_indentation(const Memory&) const { return std::nullopt; }
   bool adheres() const { return false; }
   bool pulls() const { return false; }
@@ -75,7 +75,7 @@ class StatedLaw final : public BranchedLaw {
   std::optional<WidthBranch> width_branch(const Memory& past) const override {
     return law_.width_branch(past);
   }
-  const BrachDunn* adhesive_tip() const override { return law_.adhesive_tip(); }
+  std::optional<BrachDunn> adhesive_tip() const override { return law_.adhesive_tip(); }
   std::optional<double> rest_indentation(const Memory& past) const override {
     return law_.rest_indentation(past);
   }

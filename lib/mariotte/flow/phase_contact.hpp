@@ -18,7 +18,7 @@ enum class Role : signed char {
   slack      ///< indented without force
 };
 
-/// f = k δⁿ + c δ^q δ̇, and where its quantities stand in the state. A contact of another law is open,
+/// f = k δⁿ + c δ^q δ̇ − a δⁿ⁻¹ + b δⁿ⁻¹ δ̇ − P, and where its quantities stand in the state. A contact of another law is open,
 /// and has no numbers.
 struct PhaseContact {
   Index gap;
@@ -37,7 +37,9 @@ struct PhaseContact {
   double yields = infinity;  ///< indentation at which it does, where that is watched
   double turn_side = 0;      ///< sign that δ̇ is to keep but for `turn_speed`, or 0
   double turn_speed = 0;
-  double pull = 0;                     ///< constant, outside of the power
+  double pull = 0;                     ///< P
+  double ring = 0;                     ///< a, of a ring of adhesion
+  double ring_damping = 0;             ///< b
   const WidthBranch* width = nullptr;  ///< the force, where it is that and no power
   Role role = Role::open;
 

@@ -22,7 +22,7 @@ Index only_closed(const SerialPhase& phase) {
 bool has_closed_form(const SerialPhase& phase, const PhaseContact& c) {
   if (has_acceleration(phase)) return false;
   if (c.width) return c.width->damping == 0 && phase.contact.size() == 1;
-  if (c.pull != 0) return false;
+  if (c.pull != 0 || c.ring != 0) return false;
   return c.is_linear() || (c.exponent == 1.5 && c.damping == 0);
 }
 

@@ -1,7 +1,7 @@
 // The fields of contacts side by side; a number holds many contacts. With the rate of the clock g = dt/dσ
 // and, in a row, the inverse masses u of the bodies to both sides:
 //
-//   λ = (k + l s) δ + (c + h δ) δ̇
+//   λ = (k + l s) δ + (c + h δ) δ̇ − a
 //   s = δᵖ                    1 where p = 0
 //   f = s λ                   force
 //   δ' = g δ̇
@@ -28,6 +28,7 @@ struct RowQuantities {
     steepening,
     damping,
     stiffening,
+    ring,
     power,
     curved,  ///< 1 where δᵖ has to be found, else 0
     level,   ///< 1 − curved
@@ -82,7 +83,7 @@ struct RowField : RowQuantities {
                           const std::array<T, rows>& row) {
     if constexpr (terms == Terms::elastic) return x[indentation];
     if constexpr (terms == Terms::viscous) return p[stiffness] * x[indentation] + p[damping] * x[rate];
-    const T elastic = p[stiffness] * x[indentation],
+    const T elastic = p[stiffness] * x[indentation] - p[ring],
             damper = p[damping] * x[rate] + p[stiffening] * (x[indentation] * x[rate]);
     if constexpr (has_stretch) return elastic + p[steepening] * row[stretch] + damper;
     return elastic + damper;

@@ -51,6 +51,7 @@ class Block : RowQuantities {
     p[steepening] = motion_.of(lanes.steepening);
     p[damping] = motion_.of(lanes.damping);
     p[stiffening] = motion_.of(lanes.stiffening);
+    p[ring] = motion_.of(lanes.ring);
     p[power] = motion_.of(lanes.power);
     p[drive] = motion_.of(lanes.drive);
     divide();

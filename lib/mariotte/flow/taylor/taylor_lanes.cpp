@@ -35,7 +35,7 @@ void LaneTable::clear(int first, int last) {
   for (int i = 0; first < last && i < rows_; ++i) std::fill(row(i) + first, row(i) + last, 0.0);
 }
 
-Lanes::Lanes() : table_(26) {
+Lanes::Lanes() : table_(27) {
   resize(0);
 }
 
@@ -45,7 +45,7 @@ void Lanes::resize(int lanes) {
     int i = 0;
     for (double** row :
          {&indentation, &rate,       &width,       &active,       &acts_above, &late_above, &rooted,
-          &stiffness,   &steepening, &damping,     &stiffening,   &power,      &left,       &right,
+          &stiffness,   &steepening, &damping,     &stiffening,   &ring,       &power,      &left,       &right,
           &drive,       &side,       &level,       &leeway,       &load_side,  &yield_side, &yield_level,
           &turn_side,   &turn_level, &fades_below, &leaves_noise, &weight})
       *row = table_.row(i++);

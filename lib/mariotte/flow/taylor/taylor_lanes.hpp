@@ -70,8 +70,9 @@ class Lanes {
   double* stiffness;    ///< k
   double* steepening;   ///< l
   double* damping;      ///< c
-  double* stiffening;   ///< h, with which there is no c
-  double* power;        ///< p of the force δᵖ ((k + l δᵖ) δ + (c + h δ) δ̇)
+  double* stiffening;   ///< h; where a load is watched, there is no c beside it
+  double* ring;         ///< a
+  double* power;        ///< p of the force δᵖ ((k + l δᵖ) δ + (c + h δ) δ̇ − a)
   double* left;         ///< 1/m of body j; if linked, 1/m* of the contact
   double* right;        ///< 1/m of body j+1; if linked, 0
   double* drive;        ///< δ̈ from outside forces

@@ -57,7 +57,7 @@ int harmless_order(const Window& window, int order) {
 double given_since_onset(const Lanes& l, int j) {
   const double depth = l.indentation[j], rate = std::abs(l.rate[j]), root = std::pow(depth, l.power[j]);
   const double load =
-      (l.stiffness[j] + l.steepening[j] * root) * depth + (l.damping[j] + l.stiffening[j] * depth) * rate;
+      (l.stiffness[j] + l.steepening[j] * root) * depth + (l.damping[j] + l.stiffening[j] * depth) * rate + l.ring[j];
   return (l.left[j] + l.right[j]) * root * load * depth / rate;
 }
 

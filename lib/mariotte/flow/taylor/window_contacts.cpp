@@ -55,11 +55,19 @@ void fill_damper(Lanes& l, int lane, const PhaseContact& c) {
   l.power[lane] = damping_exponent(c.grows, c.exponent);
 }
 
+/// A force that begins as √δ, as that of a damper does.
+void fill_ring(Lanes& l, int lane, const PhaseContact& c) {
+  l.damped = l.mixed = true;
+  l.ring[lane] = c.ring;
+  l.damping[lane] = c.ring_damping;
+}
+
 void fill_law(Lanes& l, int lane, const PhaseContact& c) {
   l.stiffness[lane] = c.stiffness;
   l.power[lane] = c.exponent - 1;
-  l.steepening[lane] = l.damping[lane] = l.stiffening[lane] = 0;
+  l.steepening[lane] = l.damping[lane] = l.stiffening[lane] = l.ring[lane] = 0;
   if (c.damping > 0) fill_damper(l, lane, c);
+  if (c.ring > 0) fill_ring(l, lane, c);
   l.general |= c.exponent != 1 && c.exponent != 1.5;
 }
 

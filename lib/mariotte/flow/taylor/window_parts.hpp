@@ -9,7 +9,7 @@ namespace mariotte::flow::taylor {
 /// less for what damping adds to the force. Laws without a branch point need none.
 inline double wake_depth(const PhaseContact& contact, double speed) {
   if (contact.exponent == 1) return -infinity;
-  if (contact.pull > 0) return 0;  // it has force from the start
+  if (contact.pull > 0 || contact.ring > 0) return 0;  // it pulls from the start
   return 0.5 * contact.noise_depth / (1 + contact.damping_share(speed));
 }
 

@@ -40,9 +40,9 @@ inline std::optional<WidthBranch> recorded_width(const contact::Law& law, const 
   return branches ? branches->width_branch(past) : std::nullopt;
 }
 
-inline const contact::BrachDunn* recorded_tip(const contact::Law& law) {
+inline std::optional<contact::BrachDunn> recorded_tip(const contact::Law& law) {
   const auto* branches = contact::branched(law);
-  return branches ? branches->adhesive_tip() : nullptr;
+  return branches ? branches->adhesive_tip() : std::nullopt;
 }
 
 inline bool can_be_recorded(const contact::Law& law, const contact::Memory& past) {
@@ -108,7 +108,7 @@ inline RecordedForce recorded_force(const contact::BrachDunn& law, const series:
 inline RecordedForce recorded_force(const contact::Law& law, const contact::Memory& past,
                                     const series::Traced& depth, const series::Traced& rate, double noise) {
   if (const auto width = recorded_width(law, past)) return recorded_force(*width, depth, rate);
-  if (const auto* tip = recorded_tip(law)) return recorded_force(*tip, depth, rate);
+  if (const auto tip = recorded_tip(law)) return recorded_force(*tip, depth, rate);
   return recorded_force(*recorded_power(law, past), depth, rate, noise);
 }
 

@@ -5,6 +5,7 @@
 
 #include "mariotte/model/contacts/bound.hpp"
 #include "mariotte/model/contacts/creeping.hpp"
+#include "mariotte/model/contacts/phase_contact.hpp"
 #include "mariotte/model/contacts/topology_phase_guards.hpp"
 
 namespace mariotte::model {
@@ -97,32 +98,18 @@ void TopologyPhase<Topology>::count_active() {
 }
 
 /// Tells the flows of the branch of contact j, unless it is open; false if it, or a law without branches, is
-/// no power.
+/// none that they follow.
 template <class Topology>
 bool TopologyPhase<Topology>::follow_branch(Index j) {
   auto& contact = flows_.contact(j);
   const auto* branches = contact::branched(law(j));
   if (!branches) return contact.role == flow::Role::open || contact.stiffness > 0;
-  contact.origin = contact.damping = contact.pull = 0;
+  contact.origin = contact.damping = contact.pull = contact.ring = 0;
   contact.branch_guard = -1;
   contact.width = nullptr;
   if (contact.role == flow::Role::open) return true;
-  if (const auto width = branches->width_branch(past(j))) {
-    widths_.resize(contacts());
-    contact.width = &(widths_[j] = *width);
-    contact.stiffness = 0;
-    contact.exponent = 1;
-    contact.branch_guard = at().branch_guard[j];
-    return true;
-  }
-  const auto power = branches->power(past(j));
-  if (!power || (power->pull > 0 && contact.role == flow::Role::touching)) return false;
-  contact.stiffness = power->stiffness;
-  contact.damping = power->damping;
-  contact.grows = power->grows;
-  contact.pull = power->pull;
-  contact.exponent = power->exponent;
-  contact.origin = power->origin;
+  widths_.resize(contacts());
+  if (!take_over(*branches, past(j), widths_[j], contact)) return false;
   contact.branch_guard = at().branch_guard[j];
   return true;
 }
@@ -150,7 +137,8 @@ void TopologyPhase<Topology>::watch(Index j) {
 template <class Topology>
 contact::Force TopologyPhase<Topology>::force(double indentation, double rate, Index j) const {
   const auto& c = flows_.contact(j);
-  if (c.branch_guard < 0 || c.width) return force_in((*mode_)[j], law(j), indentation, rate, past(j));
+  if (c.branch_guard < 0 || c.width || c.ring > 0)
+    return force_in((*mode_)[j], law(j), indentation, rate, past(j));
   const contact::PowerLaw power{.stiffness = c.stiffness, .damping = c.damping, .exponent = c.exponent};
   const double depth = indentation - c.origin;
   if (c.role != flow::Role::closed) return contact::force(power, depth, rate);
