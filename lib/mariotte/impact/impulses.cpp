@@ -34,13 +34,14 @@ void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& 
               const Interval& interval, Index heaviest, std::vector<double>& p) {
   const Index n = layout.velocities();
   p.assign(n - 1, 0.0);
+  const auto lost = [&](Index i) { return lost_momentum(chain, layout, interval, i); };
+  const auto integral = [&](Index j) {
+    return interval.after[layout.impulse[j]] - interval.before[layout.impulse[j]];
+  };
   for (Index i = n - 1; i > heaviest; --i)
-    p[i - 1] = (i == n - 1 ? 0 : p[i]) - lost_momentum(chain, layout, interval, i);
+    p[i - 1] = is_heavy(chain, i) ? integral(i - 1) : (i == n - 1 ? 0 : p[i]) - lost(i);
   for (Index j = 0; j < heaviest; ++j)
-    if (chain.inverse_mass[j] == 0)
-      p[j] = interval.after[layout.impulse[j]] - interval.before[layout.impulse[j]];
-    else
-      p[j] = (j == 0 ? 0 : p[j - 1]) + lost_momentum(chain, layout, interval, j);
+    p[j] = is_heavy(chain, j) ? integral(j) : (j == 0 ? 0 : p[j - 1]) + lost(j);
 }
 
 void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& changes, Index contacts,

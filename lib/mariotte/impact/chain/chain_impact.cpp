@@ -71,7 +71,8 @@ std::vector<ContactHistory> histories(const DimensionlessChain& chain, const Cha
     contacts[j] = {
         .impulse = p[j] * scale.momentum(),
         .peak_force = peaks[j].force * scale.force(),
-        .peak_indentation = peaks[j].indentation * scale.length,
+        // A contact that is slack from the start is never deeper.
+        .peak_indentation = std::max(peaks[j].indentation, -chain.gap[j]) * scale.length,
         .stored = energies[j].stored * scale.energy(),
         .dissipated = loss_above(accuracy * chain.reduced_mass[j] * speed * speed, energies[j].dissipated) *
                       scale.energy(),

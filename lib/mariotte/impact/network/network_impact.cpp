@@ -58,7 +58,8 @@ std::vector<ContactHistory> histories(const NetworkSystem& system, const contact
   for (Index j = 0; j < std::ssize(mode); ++j) {
     contacts.push_back(history(system, mode, j, interval, accuracy));
     contacts[j].peak_force = peaks[j].force * scale.force();
-    contacts[j].peak_indentation = peaks[j].indentation * scale.length;
+    const double at_start = -system.network().gap[j];  // a slack contact is never deeper
+    contacts[j].peak_indentation = std::max(peaks[j].indentation, at_start) * scale.length;
   }
   add_periods(contacts, changes, scale);
   for (auto& contact : contacts)

@@ -34,9 +34,10 @@ class ChainImpulses {
       return mass_(i, c) * change - chain_.mass[i] * gravity_(i, c) * interval.time;
     };
     double sum = 0;
-    for (Index i = mass_.rows - 1; i > heaviest_; --i) p[i - 1] += sum -= lost(i);
+    for (Index i = mass_.rows - 1; i > heaviest_; --i)
+      p[i - 1] += sum = is_heavy(chain_, i) ? 0 : sum - lost(i);
     sum = 0;
-    for (Index i = 0; i < heaviest_; ++i) p[i] += sum = chain_.inverse_mass[i] == 0 ? 0 : sum + lost(i);
+    for (Index i = 0; i < heaviest_; ++i) p[i] += sum = is_heavy(chain_, i) ? 0 : sum + lost(i);
   }
 
  private:

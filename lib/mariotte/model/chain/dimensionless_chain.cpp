@@ -33,6 +33,14 @@ void scale_balls(const Chain& chain, DimensionlessChain& d) {
   }
 }
 
+/// See DimensionlessChain::heavy.
+double heavy_mass(const std::vector<double>& mass) {
+  constexpr double share = 1e3;
+  const double least = share * *std::min_element(mass.begin(), mass.end());
+  const auto count = std::count_if(mass.begin(), mass.end(), [&](double m) { return m >= least; });
+  return count > 1 ? least : infinity;
+}
+
 /// v̇_j − v̇_{j+1} at the start, of balls that are no walls.
 std::vector<double> start_approach(const Chain& chain) {
   const auto force = start_forces({chain.law, chain.gap, chain.velocity});
@@ -115,6 +123,7 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   scale_contacts(stated, speed_of(chain, speeds.all()), accuracy * speeds.in_balance(), d);
   take_speeds(speeds, d);
   scale_balls(chain, d);
+  d.heavy = heavy_mass(d.mass);
   d.falls_back = falls_back(chain);
   d.drive.clear();
   for (const auto& drive : chain.drive) {
@@ -155,6 +164,7 @@ void copy_slice(const DimensionlessChain& whole, Index first, Index last, Dimens
   slice.fade_speed_ratio = whole.fade_speed_ratio;
   slice.fade_depth_ratio = whole.fade_depth_ratio;
   slice.falls_back = whole.falls_back;
+  slice.heavy = whole.heavy;
 }
 
 }  // namespace mariotte::model

@@ -12,6 +12,9 @@ struct DimensionlessChain : ScaledContacts {
   std::vector<double> mass, inverse_mass;  ///< n values; 1/∞ = 0 for a wall
   std::vector<double> gravity;             ///< n values; 0 for a wall
   bool falls_back = false;                 ///< gravity pulls some ball back to a wall
+  /// Mass from which momentum has too few digits to tell the impulses of light balls; infinite, so of walls
+  /// only, where one ball at most has it: the sums from both ends leave that one out.
+  double heavy = infinity;
 };
 
 /// Of a validated chain.

@@ -22,7 +22,7 @@ Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, Fre
       queue_(layout.contacts()),
       snapshot_(balls_, owner_, islands_, options) {
   for (Index j = 0; j < layout.contacts(); ++j)
-    if (layout.impulse[j] != ChainLayout::absent) walls_.push_back(j);
+    if (chain.inverse_mass[j] == 0 || chain.inverse_mass[j + 1] == 0) walls_.push_back(j);
 }
 
 Islands::Islands(const DimensionlessChain& chain, const ChainLayout& layout, ConstState start,
