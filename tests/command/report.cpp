@@ -96,6 +96,12 @@ BOOST_FIXTURE_TEST_CASE(a_sweep_that_is_not_finished_is_told, Session) {
   BOOST_TEST(has(refused.err, "its sweep is not finished"), refused.err);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_window_behind_the_end_is_told_of, Session) {
+  const auto run = mariotte("run three.toml --out out --set 'figure.window=[50, 60]'");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(has(run.err, "figure.window begins at 50 s, but the run ended at"), run.err);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_page_animates_the_run_with_its_own_data, Session) {
   BOOST_TEST(mariotte("run three.toml --out out --report").code == 0);
   const auto page = content(folder / "out/report.html");

@@ -105,6 +105,40 @@ BOOST_AUTO_TEST_CASE(a_fall_is_left_out_and_a_window_of_ones_own_is_shown) {
   });
 }
 
+// Each lasts a small part of what is shown.
+BOOST_AUTO_TEST_CASE(short_impacts_have_frames_and_the_largest_force_is_one) {
+  for (const auto* name : {"coin.toml", "settling_column.toml", "climbing_dumbbell.toml"})
+    with<model::Bodies>(name, [&](const Json& motion, const auto& impact, const auto&) {
+      expect_whole(motion);
+      double shown = 0, strongest = 0;
+      for (const auto& row : motion["force"])
+        for (const double f : row) shown = std::max(shown, f);
+      for (const auto& contact : impact.contacts) strongest = std::max(strongest, contact.peak_force);
+      BOOST_TEST(shown == strongest, boost::test_tools::tolerance(1e-2));
+    });
+}
+
+BOOST_AUTO_TEST_CASE(corners_of_a_block_have_an_outline_and_planes_stand_where_they_are) {
+  with<model::Bodies>("climbing_dumbbell.toml", [](const Json& motion, const auto&, const auto& scene) {
+    const auto& planes = std::get<model::Bodies>(scene.model).plane;
+    BOOST_TEST(motion["planes"].size() + (motion["floor"] == true) == planes.size());
+    const auto is_friction = [](const Json& contact) { return contact.contains("same_as"); };
+    BOOST_TEST(std::count_if(motion["contacts"].begin(), motion["contacts"].end(), is_friction) > 0);
+  });
+  with<model::Bodies>("rocking_with_friction.toml", [](const Json& motion, const auto&, const auto&) {
+    BOOST_TEST((motion["outlines"] == Json{{0, 1, 2, 3}}));
+    BOOST_TEST(motion["links"].empty());
+  });
+}
+
+// A rod of which one end touches: the other side of its mass centre is not known.
+BOOST_AUTO_TEST_CASE(a_point_beside_its_mass_is_seen_with_it) {
+  with<model::Bodies>("painleve_rod.toml", [](const Json& motion, const auto&, const auto&) {
+    BOOST_TEST(motion["discs"].size() == 2u);
+    BOOST_TEST((motion["links"] == Json{{0, 1}}));
+  });
+}
+
 BOOST_AUTO_TEST_CASE(what_has_no_places_has_no_moving_picture) {
   with<model::Network>("rocking_block.toml",
                        [](const Json& motion, const auto&, const auto&) { BOOST_TEST(motion.empty()); });

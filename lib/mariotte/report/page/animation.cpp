@@ -84,6 +84,38 @@ constexpr const char* script = R"(
             y: v => height / 2 - scale * (v - (box.low + box.high) / 2)};
   }
 
+  // Corners of the convex hull of some points, in turn.
+  function hull(points) {
+    const sorted = [...points].sort((a, b) => a.x - b.x || a.y - b.y);
+    const half = list => list.reduce((kept, p) => {
+      const turns = (a, b) => (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) > 0;
+      while (kept.length > 1 && !turns(kept[kept.length - 2], kept[kept.length - 1])) kept.pop();
+      return [...kept, p];
+    }, []).slice(0, -1);
+    return [...half(sorted), ...half(sorted.reverse())];
+  }
+
+  function outlines(pen, v, all) {
+    for (const one of data.outlines || []) {
+      pen.beginPath();
+      for (const p of hull(one.map(i => all[i]))) pen.lineTo(v.x(p.x), v.y(p.y));
+      pen.closePath();
+      pen.save(); pen.globalAlpha = 0.12; pen.fill(); pen.restore(); pen.stroke();
+    }
+  }
+
+  // Lines across the picture.
+  function planes(pen, v, time) {
+    const far = 2 * Math.max(box.right - box.left, box.high - box.low);
+    pen.lineWidth = 4;
+    for (const {x, y, normal: [a, b], speed} of data.planes || []) {
+      const way = speed * time, cx = x + way * a, cy = y + way * b;
+      const along = -b * ((box.left + box.right) / 2 - cx) + a * ((box.low + box.high) / 2 - cy);
+      const line = k => [v.x(cx - b * (along + k)), v.y(cy + a * (along + k))];
+      pen.beginPath(); pen.moveTo(...line(-far)); pen.lineTo(...line(far)); pen.stroke();
+    }
+  }
+
   function arrow(pen, x, y, dx, dy) {
     const size = Math.hypot(dx, dy), head = Math.min(9, 0.6 * size);
     if (size < 1.5) return;
@@ -101,6 +133,7 @@ constexpr const char* script = R"(
       pen.beginPath(); pen.moveTo(v.x(all[a].x), v.y(all[a].y)); pen.lineTo(v.x(all[b].x), v.y(all[b].y));
       pen.stroke(); pen.restore();
     }
+    outlines(pen, v, all);
     all.forEach((p, i) => {
       const x = v.x(p.x), y = v.y(p.y), r = v.scale * (p.radius || 0);
       pen.beginPath();
@@ -114,7 +147,11 @@ constexpr const char* script = R"(
     if (data.floor) { pen.lineWidth = 4; pen.beginPath(); pen.moveTo(0, v.y(0)); pen.lineTo(9999, v.y(0)); pen.stroke(); }
   }
 
-  const colour = j => data.colours[j % data.colours.length];
+  // Black lines take the colour of the text, which is bright on a dark page.
+  function colour(j) {
+    const name = data.colours[(data.contacts[j].same_as ?? j) % data.colours.length];
+    return name === '#000000' ? getComputedStyle($('stage')).color : name;
+  }
   function forces(pen, v, all, at) {
     const force = row(data.force, at), length = 0.95 * v.scale * Math.min(...radii);
     pen.lineWidth = 2.5;
@@ -122,9 +159,13 @@ constexpr const char* script = R"(
       const push = force[j] / strongest * Math.max(28, length);
       const to = all[c.to], from = c.from < 0 ? null : all[c.from];
       let x, y;
-      if (!from) { x = v.x(to.x); y = v.y(0); }
-      else if (to.radius === null) { x = v.x(from.x + c.x * from.radius); y = v.y(from.y + c.y * from.radius); }
-      else { x = v.x(to.x - c.x * to.radius); y = v.y(to.y - c.y * to.radius); }
+      const [a, b] = c.normal || [0, 1];
+      if (!from) { x = v.x(to.x - a * to.radius); y = v.y(to.y - b * to.radius); }
+      else {
+        const [nx, ny] = c.same_as === undefined ? [c.x, c.y] : [-c.y, c.x];  // friction is across
+        if (to.radius === null) { x = v.x(from.x + nx * from.radius); y = v.y(from.y + ny * from.radius); }
+        else { x = v.x(to.x - nx * to.radius); y = v.y(to.y - ny * to.radius); }
+      }
       pen.strokeStyle = pen.fillStyle = colour(j);
       if (to.radius !== null) arrow(pen, x, y, push * c.x, -push * c.y);
       if (from && from.radius !== null) arrow(pen, x, y, -push * c.x, push * c.y);
@@ -155,12 +196,15 @@ constexpr const char* script = R"(
   // Late in a run an instant needs more digits.
   const span = data.time[last] - data.time[0];
   const instant = Math.max(4, Math.min(12, Math.ceil(Math.log10(data.time[last] / span)) + 3));
+  const steps = data.time.slice(1).map((t, i) => t - data.time[i]).sort((a, b) => a - b);
+  const isSlowed = steps[Math.floor(0.8 * steps.length)] > 3 * steps[Math.floor(0.2 * steps.length)];
   let at = 0, playing = false, before = 0;
   function draw() {
     const v = view($('stage').parentElement.clientWidth);
     const {pen, height} = prepared($('stage'), v.height);
     const all = places(at);
     bodies(pen, v, all, height);
+    planes(pen, v, row(data.time.map(t => [t]), at)[0]);
     forces(pen, v, all, at);
     timeline(at);
     $('instant').value = at;
@@ -196,6 +240,7 @@ constexpr const char* script = R"(
   $('legend').textContent = 'Arrows are forces; the longest is ' + unit(strongest, 'N') + '. ' +
     (factor > 1 ? 'Motion is magnified ' + factor + ' times. ' : '') +
     (data.to_scale ? '' : 'Sizes of the bodies are not known. ') +
+    (isSlowed ? 'It is slowest where forces act. ' : '') +
     'One pass takes ' + seconds + ' s for ' + unit(span, 's') + '. Drag along the forces to choose an instant.';
   at = data.force.findIndex(f => f.some(value => Math.abs(value) === strongest));
   if (at < 0) at = 0;

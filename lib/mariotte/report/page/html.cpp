@@ -106,10 +106,10 @@ std::string two_digits(const Json& value) {
 }
 
 /// A residual, as a share of what was there before where that is not zero.
-std::string residual(const Json& balance) {
+std::string residual(const Json& balance, const std::string& unit) {
   const double scale = std::abs(balance.value("initial", 0.0)),
                rest = std::abs(balance.value("residual", 0.0));
-  return scale > 0 ? two_digits(rest / scale) + " of the initial" : two_digits(rest);
+  return scale > 0 ? two_digits(rest / scale) + " of the initial" : two_digits(rest) + " " + unit;
 }
 
 std::string checks(const Json& result) {
@@ -123,9 +123,9 @@ std::string checks(const Json& result) {
     cards += card("accuracy asked for", inline_text(result["accuracy"].value("requested", Json())));
     cards += card("accuracy estimated", two_digits(result["accuracy"].value("estimated", Json())));
   }
-  for (const auto* balance : {"energy", "momentum"})
+  for (const auto& [balance, unit] : {std::pair{"energy", "J"}, {"momentum", "N s"}})
     if (result.contains(balance) && result[balance].is_object() && result[balance].contains("residual"))
-      cards += card(fmt::format("{} balance residual", balance).c_str(), residual(result[balance]));
+      cards += card(fmt::format("{} balance residual", balance).c_str(), residual(result[balance], unit));
   return "<div class=\"checks\">\n" + cards + "</div>\n";
 }
 

@@ -11,7 +11,7 @@ namespace mariotte::report {
 namespace {
 
 std::vector<double> frames(const impact::Trace& trace, const scene::Scene& scene) {
-  return instants(time_axis(action_of(trace), {}, scene.figure).windows);
+  return instants(time_axis(action_of(trace), {}, scene.figure).windows, trace.time, trace.force);
 }
 
 /// Where the discs are at the samples of a trace; velocities are linear between them. Discs have `dimension`

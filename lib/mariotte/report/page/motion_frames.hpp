@@ -17,10 +17,12 @@ struct Disc {
   double x = 0, y = 0, radius = 0;
 };
 
-/// What pushes disc `to` along the unit vector (x, y): another disc, or the plane (−1).
+/// What pushes disc `to` along the unit vector (x, y): another disc, or a plane (−1) with this normal.
 struct DiscContact {
   int from, to;
   double x, y;
+  double normal_x = 0, normal_y = 1;
+  int same_as = -1;  ///< the contact whose friction this is
 };
 
 /// x and y of every disc in turn [m], and the force of every contact [N], at the instants `time`.
@@ -29,8 +31,11 @@ struct Course {
   Rows place, force;
 };
 
-/// Instants of the frames: even within windows, few in the flights between.
-std::vector<double> instants(const std::vector<Window>& windows);
+/// Instants of the frames. Within a window they are even in time. Where forces act for a small part of it,
+/// every second one is even in what they give, so that short impacts are seen. The largest force is a frame;
+/// flights between windows have few. A row of forces at each sample.
+std::vector<double> instants(const std::vector<Window>& windows, const std::vector<double>& sample,
+                             const Rows& force);
 
 /// The sample before an instant, and which part of the way to the next one it is; at least two samples.
 std::pair<std::size_t, double> position(const std::vector<double>& times, double time);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "mariotte/report/figure/time_figure.hpp"
 #include "mariotte/report/page/motion.hpp"
@@ -8,33 +10,48 @@
 namespace mariotte::report {
 namespace {
 
-/// The first disc of each body.
-std::vector<int> first_discs(const model::Bodies& bodies) {
+/// What is seen of a body: one of its spheres, or where its mass is, of which nothing else tells.
+struct Seen {
+  std::size_t body;
+  Vector3 centre;
+  double radius;
+};
+
+/// The first sphere of each body, in the order of `seen_of`.
+std::vector<int> first_spheres(const model::Bodies& bodies) {
   std::vector<int> first{0};
   for (const auto& body : bodies.body) first.push_back(first.back() + static_cast<int>(body.spheres.size()));
   return first;
 }
 
-/// Spheres of all bodies; a point is a disc that can be seen.
-std::vector<Disc> discs_of(const model::Bodies& bodies) {
-  std::vector<Disc> discs;
-  for (const auto& body : bodies.body) {
+bool stands_aside(const model::Body& body) {
+  return body.spheres.size() == 1 && norm(body.spheres[0].centre) > 0;
+}
+
+/// Spheres of all bodies, then mass centres of those that have one sphere beside it; a point is a disc that
+/// can be seen.
+std::vector<Seen> seen_of(const model::Bodies& bodies) {
+  constexpr double visible = 0.03;
+  std::vector<Seen> seen, centres;
+  for (std::size_t i = 0; i < bodies.body.size(); ++i) {
+    const auto& body = bodies.body[i];
     double reach = 0;
     for (const auto& sphere : body.spheres) reach = std::max(reach, norm(sphere.centre));
     for (const auto& sphere : body.spheres)
-      discs.push_back({0, 0, sphere.radius > 0 ? sphere.radius : 0.03 * reach});
+      seen.push_back({i, sphere.centre, sphere.radius > 0 ? sphere.radius : visible * reach});
+    if (stands_aside(body)) centres.push_back({i, {}, visible * reach});
   }
-  return discs;
+  seen.insert(seen.end(), centres.begin(), centres.end());
+  return seen;
 }
 
-/// x and y of all spheres at one sample.
-std::vector<double> places(const model::Bodies& bodies, const std::vector<impact::BodyEnd>& sample) {
+/// x and y of all of them at one sample.
+std::vector<double> places(const std::vector<Seen>& seen, const std::vector<impact::BodyEnd>& sample) {
   std::vector<double> row;
-  for (std::size_t i = 0; i < sample.size(); ++i)
-    for (const auto& sphere : bodies.body[i].spheres) {
-      const auto centre = sample[i].position + rotate(sample[i].attitude, sphere.centre);
-      row.insert(row.end(), {centre.e1, centre.e2});
-    }
+  for (const auto& one : seen) {
+    const auto centre = sample[one.body].position + rotate(sample[one.body].attitude, one.centre);
+    row.insert(row.end(), {centre.e1, centre.e2});
+  }
   return row;
 }
 
@@ -42,11 +59,11 @@ std::vector<double> places(const model::Bodies& bodies, const std::vector<impact
 DiscContact contact_of(const model::Bodies& bodies, Index c, const impact::BodiesTrace& trace,
                        const Rows& rows) {
   const auto& contact = bodies.contact[c];
-  const auto first = first_discs(bodies);
+  const auto first = first_spheres(bodies);
   const int to = first[contact.b.owner] + static_cast<int>(contact.b.sphere);
   if (contact.a.is_plane()) {
     const auto& normal = bodies.plane[contact.a.owner].normal;
-    return {-1, to, normal.e1, normal.e2};
+    return {-1, to, normal.e1, normal.e2, normal.e1, normal.e2};
   }
   const int from = first[contact.a.owner] + static_cast<int>(contact.a.sphere);
   std::size_t best = 0;
@@ -58,10 +75,59 @@ DiscContact contact_of(const model::Bodies& bodies, Index c, const impact::Bodie
   return {from, to, x / size, y / size};
 }
 
-bool has_floor(const model::Bodies& bodies) {
-  return std::any_of(bodies.plane.begin(), bodies.plane.end(), [](const model::Plane& plane) {
-    return plane.normal.e1 == 0 && plane.normal.e2 == 1 && plane.point.e2 == 0 && norm(plane.velocity) == 0;
-  });
+/// Contacts and their forces at the samples; after all of them those with friction once more, across.
+struct Pushes {
+  std::vector<DiscContact> contact;
+  Rows force;
+};
+
+Pushes pushes_of(const model::Bodies& bodies, const impact::BodiesTrace& trace, const Rows& rows) {
+  Pushes pushes{{}, trace.force};
+  for (Index c = 0; c < std::ssize(bodies.contact); ++c)
+    pushes.contact.push_back(contact_of(bodies, c, trace, rows));
+  for (int c = 0; c < static_cast<int>(bodies.contact.size()); ++c) {
+    const auto slips = [&](const auto& friction) { return norm(friction[c]) > 0; };
+    if (std::none_of(trace.friction.begin(), trace.friction.end(), slips)) continue;
+    auto across = pushes.contact[c];
+    std::tie(across.x, across.y) = std::pair{across.y, -across.x};
+    across.same_as = c;
+    pushes.contact.push_back(across);
+    for (std::size_t row = 0; row < pushes.force.size(); ++row) {
+      const auto& f = trace.friction[row][c];
+      pushes.force[row].push_back(f.e1 * across.x + f.e2 * across.y);
+    }
+  }
+  return pushes;
+}
+
+bool is_floor(const model::Plane& plane) {
+  return plane.normal.e1 == 0 && plane.normal.e2 == 1 && plane.point.e2 == 0 && norm(plane.velocity) == 0;
+}
+
+/// Planes that stand across the picture, but for the floor.
+Json planes_of(const model::Bodies& bodies) {
+  auto list = Json::array();
+  for (const auto& plane : bodies.plane)
+    if (!is_floor(plane) && plane.normal.e3 == 0)
+      list.push_back({{"x", plane.point.e1},
+                      {"y", plane.point.e2},
+                      {"normal", {plane.normal.e1, plane.normal.e2}},
+                      {"speed", dot(plane.velocity, plane.normal)}});
+  return list;
+}
+
+/// Discs of one body that are joined: two by a link, more by an outline.
+void join(const model::Bodies& bodies, Json& motion) {
+  const auto first = first_spheres(bodies);
+  int centre = first.back();
+  for (std::size_t i = 0; i < bodies.body.size(); ++i) {
+    if (stands_aside(bodies.body[i])) motion["links"].push_back({first[i], centre++});
+    if (first[i + 1] - first[i] == 2) motion["links"].push_back({first[i], first[i] + 1});
+    if (first[i + 1] - first[i] <= 2) continue;
+    auto outline = Json::array();
+    for (int k = first[i]; k < first[i + 1]; ++k) outline.push_back(k);
+    motion["outlines"].push_back(std::move(outline));
+  }
 }
 
 }  // namespace
@@ -69,25 +135,24 @@ bool has_floor(const model::Bodies& bodies) {
 Json motion(const impact::BodiesImpact& impact, const scene::Scene& scene) {
   const auto& bodies = std::get<model::Bodies>(scene.model);
   const auto& trace = impact.trace;
-  const auto discs = discs_of(bodies);
-  if (trace.time.size() < 2 || discs.size() > most_discs) return {};
+  const auto seen = seen_of(bodies);
+  if (trace.time.size() < 2 || seen.size() > most_discs) return {};
+  std::vector<Disc> discs;
+  for (const auto& one : seen) discs.push_back({0, 0, one.radius});
   Rows rows;
-  for (const auto& sample : trace.body) rows.push_back(places(bodies, sample));
-  std::vector<DiscContact> contacts;
-  for (Index c = 0; c < std::ssize(bodies.contact); ++c)
-    contacts.push_back(contact_of(bodies, c, trace, rows));
-  const auto times = instants(time_axis(action_of(trace), {}, scene.figure).windows);
-  Course course{times, {}, {}};
-  for (const double time : times) {
+  for (const auto& sample : trace.body) rows.push_back(places(seen, sample));
+  const auto pushes = pushes_of(bodies, trace, rows);
+  const auto windows = time_axis(action_of(trace), {}, scene.figure).windows;
+  Course course{instants(windows, trace.time, pushes.force), {}, {}};
+  for (const double time : course.time) {
     const auto at = position(trace.time, time);
     course.place.push_back(between(rows, at));
-    course.force.push_back(between(trace.force, at));
+    course.force.push_back(between(pushes.force, at));
   }
-  auto all = as_json(discs, contacts, course);
-  all["floor"] = has_floor(bodies);
-  const auto first = first_discs(bodies);
-  for (std::size_t i = 0; i < bodies.body.size(); ++i)
-    for (int k = first[i] + 1; k < first[i + 1]; ++k) all["links"].push_back({k - 1, k});
+  auto all = as_json(discs, pushes.contact, course);
+  all["floor"] = std::any_of(bodies.plane.begin(), bodies.plane.end(), is_floor);
+  all["planes"] = planes_of(bodies);
+  join(bodies, all);
   return all;
 }
 

@@ -28,13 +28,14 @@ Rows tip_forces(const impact::BodyTrace& trace) {
   return rows;
 }
 
-/// Places of the tips, e3 to the right and e1 up, and forces on them at these instants.
+/// Places of the tips, e3 to the right and e1 up, and forces on them.
 Course course_of(const impact::BodyTrace& trace, const std::vector<model::Tip>& tips,
-                 const std::vector<double>& times) {
+                 const scene::Figure& figure) {
   Course samples{{}, {}, tip_forces(trace)};
   for (const auto& state : trace.state) samples.time.push_back(state.time);
-  Course course{times, {}, {}};
-  for (const double time : times) {
+  const auto windows = time_axis(action_of(trace), {}, figure).windows;
+  Course course{instants(windows, samples.time, samples.force), {}, {}};
+  for (const double time : course.time) {
     const auto at = position(samples.time, time);
     const auto state = state_between(trace.state[at.first], trace.state[at.first + 1], at.second);
     course.place.emplace_back();
@@ -61,8 +62,7 @@ Json motion(const impact::MicrobodyImpact& impact, const scene::Scene& scene) {
     if (discs.size() <= trace.gap.front().size())
       contacts.insert(contacts.end(), {{-1, on, 0, 1}, {-1, on, 1, 0}});
   }
-  const auto times = instants(time_axis(action_of(trace), {}, scene.figure).windows);
-  auto all = as_json(discs, contacts, course_of(trace, tips, times));
+  auto all = as_json(discs, contacts, course_of(trace, tips, scene.figure));
   all["floor"] = true;
   if (tips.size() == 2) all["links"] = {{0, 1}};
   return all;
