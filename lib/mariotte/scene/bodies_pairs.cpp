@@ -64,9 +64,15 @@ void add_pairs(const Source& source, const Field& table, const model::Bodies& mo
   if (right[0].is_plane()) reject(source, *between, fault::impossible, "two planes do not touch");
   if (!left[0].is_plane() && left[0].owner == right[0].owner)
     reject(source, *between, fault::impossible, "a body does not touch itself");
+  const auto meets = [&](const Feature& a, const Feature& b) { return can_touch(model, a, b); };
+  if (std::none_of(left.begin(), left.end(), [&](const Feature& a) {
+        return std::any_of(right.begin(), right.end(), [&](const Feature& b) { return meets(a, b); });
+      }))
+    reject(source, *between, fault::impossible,
+           "corners of both are points, which never meet: give one of them a 'radius'");
   for (const auto& a : left)
     for (const auto& b : right) {
-      if (!can_touch(model, a, b)) continue;
+      if (!meets(a, b)) continue;
       const auto same = [&](const Pair& one) {
         return (one.a == a && one.b == b) || (one.a == b && one.b == a);
       };

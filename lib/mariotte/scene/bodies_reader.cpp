@@ -121,6 +121,27 @@ Touchables read_touchables(Source& source, const Field& bodies, model::Bodies& m
   return touchables;
 }
 
+/// A ball, or a block of which no corner hits it, passes through a face.
+void warn_of_faces(Source& source, const Field& bodies) {
+  const auto list = find(bodies, "body");
+  const Index count = std::ssize(*list->node->array());
+  for (Index i = 0; count > 1 && i < count; ++i) {
+    const auto shape = find(element(*list, i), "shape");
+    if (shape && text(source, *shape) == "block")
+      return warn(source, *shape,
+                  "blocks touch by their corners only: other bodies pass through their faces");
+  }
+}
+
+/// Why nothing can touch.
+std::string untouchable(const Field& bodies) {
+  if (find(bodies, "law") && find(bodies, "stiffness"))
+    return "nothing can touch: there is no plane, and bodies are one, or have points only, which never meet "
+           "(a 'radius' makes corners round)";
+  return "nothing can touch: [bodies] says no law with a stiffness or materials, and no [[bodies.contact]] "
+         "does";
+}
+
 }  // namespace
 
 ResolvedBodies read_bodies(Source& source, const Field& bodies) {
@@ -142,10 +163,8 @@ ResolvedBodies read_bodies(Source& source, const Field& bodies) {
   if (!errors.empty()) errors.attempt([&] { check_pairs(source, bodies); });
   errors.raise();
   resolved.touching = read_pairs(source, bodies, touchables, model);
-  if (model.contact.empty())
-    reject(source, bodies, fault::impossible,
-           "nothing can touch: [bodies] says no law with a stiffness or materials, and no [[bodies.contact]] "
-           "does");
+  if (model.contact.empty()) reject(source, bodies, fault::impossible, untouchable(bodies));
+  warn_of_faces(source, bodies);
   return resolved;
 }
 
