@@ -51,6 +51,8 @@ model::Signal read_table(const Source& source, const Field& table, std::size_t q
   const auto columns = read_columns(source, path, {"time", dimension::time},
                                     {std::string(quantities[quantity]), dimensions[quantity]});
   for (const auto& row : columns.rows) points.push_back({row.first, row.second});
+  if (const auto fall = model::first_fall(points))
+    reject(columns.file, columns.rows[*fall].place, fault::impossible, std::string(model::rule_of_signal));
   try {
     return linear ? model::straight_lines(points) : model::smooth_curve(points);
   } catch (const InvalidParameter& error) {

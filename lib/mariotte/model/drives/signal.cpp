@@ -13,11 +13,8 @@ namespace {
 
 void expect_growing(const std::vector<SignalPoint>& points) {
   if (points.size() < 2) throw InvalidParameter("a signal needs two points or more");
-  if (points.front().time != 0) throw InvalidParameter("a signal must begin at the time 0");
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!std::isfinite(points[i].time + points[i].value) || (i > 0 && !(points[i].time > points[i - 1].time)))
-      throw InvalidParameter("point " + std::to_string(i + 1) +
-                             " of a signal: times must grow, and all be finite");
+  if (const auto fall = first_fall(points))
+    throw InvalidParameter("point " + std::to_string(*fall + 1) + ": " + std::string(rule_of_signal));
 }
 
 /// The cubic from a point to the next with slopes at both.
@@ -48,6 +45,14 @@ double end_of(const Signal& signal, std::size_t i, double otherwise) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> first_fall(const std::vector<SignalPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool grows = i == 0 ? points[i].time == 0 : points[i].time > points[i - 1].time;
+    if (!grows || !std::isfinite(points[i].time + points[i].value)) return i;
+  }
+  return {};
+}
 
 Signal sine(double amplitude, double frequency, double phase) {
   return {{{.amplitude = amplitude, .frequency = frequency, .phase = phase}}};

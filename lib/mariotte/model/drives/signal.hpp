@@ -1,5 +1,8 @@
 // Functions of time that are smooth but for kinks: what a drive prescribes.
 #pragma once
+#include <cstddef>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "mariotte/core/signal_piece.hpp"
@@ -17,6 +20,11 @@ struct SignalPoint {
   double time;  ///< [s]
   double value;
 };
+
+/// The first point whose time does not grow from that of the one before, or from 0, or that is not finite.
+std::optional<std::size_t> first_fall(const std::vector<SignalPoint>& points);
+inline constexpr std::string_view rule_of_signal =
+    "times of a signal must begin at 0 and grow, and all numbers be finite";
 
 /// a sin(ω t + φ).
 Signal sine(double amplitude, double frequency, double phase);
