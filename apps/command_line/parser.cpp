@@ -1,7 +1,10 @@
 #include "command_line/parser.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "command_line/exit_code.hpp"
 #include "command_line/terminal.hpp"
@@ -63,6 +66,26 @@ std::string has_no_sign(const std::string& text) {
   return text.starts_with("-") ? "must not be negative, but is " + text : "";
 }
 
+bool takes_whole_numbers(const Target& target) {
+  return std::holds_alternative<int*>(target) || std::holds_alternative<std::int64_t*>(target) ||
+         std::holds_alternative<std::uint64_t*>(target);
+}
+
+/// CLI11 takes what begins with a zero as octal, and what is too large as the largest.
+std::string as_decimal(std::string& text) {
+  const bool has_sign = text.starts_with("-") || text.starts_with("+");
+  const auto digits = text.substr(has_sign ? 1 : 0);
+  if (digits.find_first_not_of("0123456789") != digits.npos)
+    return digits.starts_with("0") ? "must be a whole number in decimal digits, not " + text : "";
+  const auto first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+  std::uint64_t value = 0;
+  const auto end = digits.data() + digits.size();
+  if (!digits.empty() && std::from_chars(digits.data(), end, value).ec != std::errc())
+    return "is too large: " + text;
+  if (!digits.empty()) text = (text.starts_with("-") ? "-" : "") + digits.substr(first);
+  return "";
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option) {
   auto& made = *add(app, option);
   const auto& usage = option.usage;
@@ -74,6 +97,7 @@ CLI::Option* declare(CLI::App& app, const Option& option) {
   std::visit(AddCheck{made, option.target}, usage.check);
   if (takes_numbers(option.target)) made.check(is_finite, "");
   if (std::holds_alternative<std::uint64_t*>(option.target)) made.check(has_no_sign, "");
+  if (takes_whole_numbers(option.target)) made.transform(CLI::Validator(as_decimal, ""));
   // A shell variable that is not set makes `--out ""`, which is not the same as no --out.
   if (made.get_items_expected_max() > 0) made.check(is_not_empty, "");
   return &made;

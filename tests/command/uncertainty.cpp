@@ -67,6 +67,18 @@ BOOST_FIXTURE_TEST_CASE(a_deviation_has_a_unit_where_its_value_has_one, Session)
   BOOST_TEST(mariotte(triplet + "--set 'chain.velocity[0]=100 cm/s ± 1 %'").code == 0);
 }
 
+BOOST_FIXTURE_TEST_CASE(whole_numbers_are_decimal_whatever_they_begin_with, Session) {
+  const std::string uncertain = triplet + "--set 'chain.velocity[0]=1 ± 1 %' --json ";
+  const auto result = nlohmann::json::parse(mariotte(uncertain + "--samples 0100 --seed 010").out);
+  BOOST_TEST(result["samples"] == 100);
+  BOOST_TEST(result["seed"] == 10);
+  for (const char* wrong : {"99999999999999999999999", "0x10"}) {
+    const auto run = mariotte(uncertain + "--samples 10 --seed " + wrong);
+    BOOST_TEST(support::is_refused(run));
+    BOOST_TEST(has(run.err, wrong), run.err);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(a_seed_is_one_of_samples_and_not_negative, Session) {
   const std::string uncertain = triplet + "--set 'chain.velocity[0]=1 ± 1 %' ";
   const auto negative = mariotte(uncertain + "--samples 10 --seed -1");
