@@ -14,6 +14,8 @@ using Values = std::vector<double>;
 
 // Differences have some six digits; keys whose effects differ by less cannot be told apart.
 constexpr double slope_tolerance = 1e-5;
+/// Smaller slopes, over what was measured, may be rounding of runs alone.
+constexpr double rounding_of_slopes = 1e-7;
 
 /// Smallest value / start that is not taken for zero, where nothing depends on it any more.
 constexpr double nothing = 1e-3;
@@ -51,7 +53,8 @@ void assess(const FitProblem& problem, Found& found) {
   const auto keys = found.minimum.x.size();
   found.held = held(found.columns, found.minimum.x, problem.measured_size());
   const auto columns = found.held_columns();
-  found.directions = undetermined(columns, std::ssize(found.held), slope_tolerance);
+  found.directions = undetermined(columns, std::ssize(found.held), slope_tolerance,
+                                  rounding_of_slopes * problem.measured_size());
   if (found.degrees_of_freedom < 1 || !found.directions.empty()) return;
   const auto errors = uncertainty(columns, std::ssize(found.held)).standard_error;
   const double scatter = std::sqrt(found.squares / static_cast<double>(found.degrees_of_freedom));

@@ -1,6 +1,7 @@
 #include "mariotte/study/fit/uncertainty.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 
 #include "mariotte/model/dense.hpp"
@@ -14,13 +15,13 @@ Eigen::Map<const Eigen::MatrixXd> matrix(std::span<const double> columns, Index 
 
 }  // namespace
 
-std::vector<std::vector<double>> undetermined(std::span<const double> columns, Index count,
-                                              double tolerance) {
+std::vector<std::vector<double>> undetermined(std::span<const double> columns, Index count, double tolerance,
+                                              double least) {
   if (count == 0) return {};
   const auto [value, right] = model::singular_values({columns, std::ssize(columns) / count});
   std::vector<std::vector<double>> directions;
   for (Index k = 0; k < count; ++k) {
-    if (value[k] > tolerance * value[0]) continue;
+    if (value[k] > std::max(tolerance * value[0], least)) continue;
     const auto column = matrix(right, count).col(k);
     const Eigen::VectorXd direction = column / column.cwiseAbs().maxCoeff();
     directions.emplace_back(direction.begin(), direction.end());

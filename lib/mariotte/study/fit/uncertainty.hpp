@@ -13,9 +13,10 @@ struct Uncertainty {
   std::vector<std::vector<double>> correlation;  ///< p rows
 };
 
-/// Directions in which the residuals do not change, one per singular value below `tolerance` times the
-/// largest: the p components, the largest of magnitude 1.
-std::vector<std::vector<double>> undetermined(std::span<const double> columns, Index count, double tolerance);
+/// Directions in which the residuals do not change, one per singular value below `least`, or `tolerance`
+/// times the largest: the p components, the largest of magnitude 1.
+std::vector<std::vector<double>> undetermined(std::span<const double> columns, Index count, double tolerance,
+                                              double least = 0);
 
 /// Throws nothing; the columns must determine all values.
 Uncertainty uncertainty(std::span<const double> columns, Index count);
