@@ -172,6 +172,17 @@ BOOST_FIXTURE_TEST_CASE(a_random_design_with_expressions_is_the_same_on_any_thre
   BOOST_TEST(std::abs(statistics[0]["mean"].get<double>() - 0.01) < 1e-6);  // each part has one value
 }
 
+// Nor is it a wall.
+BOOST_FIXTURE_TEST_CASE(an_expression_without_a_finite_value_gives_no_mass, Session) {
+  write("map.toml", std::string("columns = ['final.time']\n") + support::three_balls +
+                        "[[sweep]]\nvariable = 'a'\nvalues = [1, 0]\n[[sweep]]\nkey = 'chain.mass[2]'\n"
+                        "expression = '1 / a'\n");
+  BOOST_TEST(mariotte("sweep map.toml --no-figures --out out").code == 0);
+  const auto rows = lines(content(folder / "out/sweep.csv"));
+  BOOST_TEST(has(rows[1], "separated"), rows[1]);
+  BOOST_TEST(has(rows[2], "rejected"), rows[2]);
+}
+
 BOOST_FIXTURE_TEST_CASE(kills_lose_nothing_and_leave_the_same_csv, Session) {
   write("map.toml", support::map_scene(100));
   BOOST_TEST(mariotte("sweep map.toml --no-figures --out calm").code == 0);

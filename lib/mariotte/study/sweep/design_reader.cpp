@@ -1,6 +1,8 @@
 #include "mariotte/study/sweep/design_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
@@ -91,7 +93,8 @@ std::vector<Node> values(const Design& design, Index point) {
   for (std::size_t i = 0; i < design.parameters.size(); ++i) all.push_back(value(design, i, point));
   for (const auto& one : design.derived) {
     auto& node = all.emplace_back();
-    node.value = number(design, one.formula, point);
+    const double found = number(design, one.formula, point);
+    node.value = std::isfinite(found) ? found : std::numeric_limits<double>::quiet_NaN();  // never a wall
     node.place = one.place;
   }
   return all;
