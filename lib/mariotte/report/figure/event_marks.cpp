@@ -19,7 +19,11 @@ struct Axis {
   double width;
 
   double place(double instant) const { return (instant - window.start) / (window.end - window.start); }
-  bool shows(double instant) const { return instant >= window.start && instant <= window.end; }
+  /// The last sample may be rounded to just before the event that ends the run.
+  bool shows(double instant) const {
+    constexpr double rounding = 1e-9;
+    return place(instant) >= -rounding && place(instant) <= 1 + rounding;
+  }
 };
 
 std::string shade(const Axis& axis, double from, double to, std::size_t closed) {
