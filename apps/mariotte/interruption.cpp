@@ -38,6 +38,9 @@ void await(int signal) {
 void await_interruption() {
   await(SIGINT);
   await(SIGTERM);
+  struct sigaction hangup {};
+  ::sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) await(SIGHUP);  // nohup ignores it
 }
 
 int interruption() {

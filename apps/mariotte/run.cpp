@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/json/json_parts.hpp"
 #include "mariotte/report/json/json_stream.hpp"
+#include "mariotte/report/page/files.hpp"
 #include "mariotte/report/table/network_table.hpp"
 #include "mariotte/report/table/table.hpp"
 #include "mariotte/scene/judge.hpp"
@@ -97,9 +99,30 @@ report::Json additions(const Run& options, const scene::Scene& scene) {
   return more;
 }
 
+/// When the run ended [s].
+double end_of(const impact::MicrobodyImpact& impact) {
+  return impact.final.time;
+}
+double end_of(const auto& impact) {
+  return impact.time;
+}
+
+/// A window of one's own that begins behind the end shows nothing.
+void tell_empty_window(double end, const scene::Scene& scene) {
+  const auto& window = scene.figure.window;
+  if (window && (*window)[0] >= end)
+    warning(fmt::format("figure.window begins at {:.6g} s, but the run ended at {:.6g} s: figures are empty",
+                        (*window)[0], end));
+}
+
 /// Writes the files of a run, and says which; `waves...` is the image that only chains have.
 template <class Impact, class... Waves>
 void write(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
+  if (!options.force && std::filesystem::exists(std::filesystem::path(options.out) / "result.json"))
+    throw report::FileError(
+        "cannot write into " + options.out + ": another run has written there meanwhile (--force overwrites)",
+        fault::exists);
+  if (!options.scene.quiet) tell_empty_window(end_of(impact), scene);
   const auto shortfall = write_result_folder(options.out, additions(options, scene), impact, scene, waves...);
   if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
   if (options.report) write_report_page(options.out, read_result(options.out));
@@ -118,10 +141,16 @@ void show(const Run& options, const Impact& impact, const scene::Scene& scene) {
 /// Writes and prints the impact, and says what is to be said of it.
 template <class Impact, class... Waves>
 int finish(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
-  if (!options.out.empty()) write(options, impact, scene, waves...);
+  std::exception_ptr unwritten;  // what was computed is shown all the same
+  try {
+    if (!options.out.empty()) write(options, impact, scene, waves...);
+  } catch (...) {
+    unwritten = std::current_exception();
+  }
   show(options, impact, scene);
   tell_warnings(report::warnings(impact, scene.run.flow), options.scene.quiet);
   const int code = tell_ending(impact.ending, impact.message, scene);
+  if (unwritten) std::rethrow_exception(unwritten);
   if (interruption() != 0) {
     if (impact.ending != hybrid::Ending::interrupted)
       warning("interrupted: the end was reached, but its accuracy was not checked any more");

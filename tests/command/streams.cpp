@@ -70,6 +70,16 @@ BOOST_FIXTURE_TEST_CASE(a_file_size_limit_gives_code_6_and_leaves_no_partial_fil
     BOOST_TEST(!entry.path().filename().string().starts_with("."));
 }
 
+BOOST_FIXTURE_TEST_CASE(what_was_computed_is_shown_where_its_files_cannot_be_written, Session) {
+  for (const char* form : {"", "--json"}) {
+    const auto run = shell(std::string("(ulimit -f 1; \"$mariotte\" run three.toml --out results --force ") +
+                           form + "; echo code $? >&2) | cat");
+    BOOST_TEST(has(run.err, "code 6"), run.err);
+    BOOST_TEST(has(run.err, "[F003]"), run.err);
+    BOOST_TEST(has(run.out, "-0.07095"), run.out);  // velocity of ball 1
+  }
+}
+
 // The header fits, the rows do not: HDF5 meets the limit while it writes, and again when it closes the file.
 BOOST_FIXTURE_TEST_CASE(a_file_size_limit_under_an_hdf5_trace_gives_code_6, Session) {
   write("row.toml",
