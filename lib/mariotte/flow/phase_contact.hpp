@@ -18,8 +18,8 @@ enum class Role : signed char {
   slack      ///< indented without force
 };
 
-/// f = k δⁿ + c δ^q δ̇ − a δⁿ⁻¹ + b δⁿ⁻¹ δ̇ − P, and where its quantities stand in the state. A contact of another law is open,
-/// and has no numbers.
+/// f = k δⁿ + c δ^q δ̇ − a δⁿ⁻¹ + b δⁿ⁻¹ δ̇ − P, and where its quantities stand in the state. A contact of
+/// another law is open, and has no numbers.
 struct PhaseContact {
   Index gap;
   Index work;        ///< ∫ f δ̇ dt, or −1

@@ -44,10 +44,10 @@ void Lanes::resize(int lanes) {
     count = 0;
     int i = 0;
     for (double** row :
-         {&indentation, &rate,       &width,       &active,       &acts_above, &late_above, &rooted,
-          &stiffness,   &steepening, &damping,     &stiffening,   &ring,       &power,      &left,       &right,
-          &drive,       &side,       &level,       &leeway,       &load_side,  &yield_side, &yield_level,
-          &turn_side,   &turn_level, &fades_below, &leaves_noise, &weight})
+         {&indentation, &rate,       &width,      &active,      &acts_above,   &late_above, &rooted,
+          &stiffness,   &steepening, &damping,    &stiffening,  &ring,         &power,      &left,
+          &right,       &drive,      &side,       &level,       &leeway,       &load_side,  &yield_side,
+          &yield_level, &turn_side,  &turn_level, &fades_below, &leaves_noise, &weight})
       *row = table_.row(i++);
   }
   table_.clear(lanes, count);

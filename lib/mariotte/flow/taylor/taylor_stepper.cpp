@@ -56,8 +56,8 @@ int harmless_order(const Window& window, int order) {
 /// At most: the change of the rate of a depth by its own force, if that was there since the depth was zero.
 double given_since_onset(const Lanes& l, int j) {
   const double depth = l.indentation[j], rate = std::abs(l.rate[j]), root = std::pow(depth, l.power[j]);
-  const double load =
-      (l.stiffness[j] + l.steepening[j] * root) * depth + (l.damping[j] + l.stiffening[j] * depth) * rate + l.ring[j];
+  const double load = (l.stiffness[j] + l.steepening[j] * root) * depth +
+                      (l.damping[j] + l.stiffening[j] * depth) * rate + l.ring[j];
   return (l.left[j] + l.right[j]) * root * load * depth / rate;
 }
 
