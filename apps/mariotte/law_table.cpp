@@ -83,8 +83,9 @@ double place(const impact::TableAxis& axis, const Places& given, const Places& o
   if (seen == of_balls.end()) {
     if (said != given.end()) return said->second;
     if (axis.values.size() == 1) return axis.values[0];
-    throw UsageError(fmt::format("give --at {}=VALUE: the table has {}", axis.name, axis.values.size()),
-                     fault::law_incomplete);
+    throw UsageError(
+        fmt::format("give --at {}=VALUE: the table has {} values of it", axis.name, axis.values.size()),
+        fault::law_incomplete);
   }
   if (said != given.end() && !is_equal(said->second, seen->second))
     throw impact::OutsideTable(fmt::format("--at {}={:g}: masses and velocities make it {:g}", axis.name,

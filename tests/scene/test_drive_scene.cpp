@@ -71,7 +71,8 @@ BOOST_AUTO_TEST_CASE(a_table_is_read_beside_the_scene) {
   BOOST_TEST(linear.drive[0].signal.piece[0].power[1] == 2e6, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(cubic.drive[0].signal.piece[1].power[1] == 0);  // its highest point
   std::ofstream(folder.path / "push.csv") << "time [ms], force [kN]\n0, 0\n1, 2\n1, 0\n";
-  BOOST_TEST(has(rejection_of(row + "[chain.drive]\n" + force + until, name), "chain.drive.table: point 3"));
+  BOOST_TEST(
+      has(rejection_of(row + "[chain.drive]\n" + force + until, name), "push.csv:4:1: times of a signal"));
   std::ofstream(folder.path / "push.csv") << "time [ms], force [mm]\n0, 0\n1, 2\n";
   BOOST_TEST(has(rejection_of(row + "[chain.drive]\n" + force + until, name), "push.csv:2:4: "));
 }

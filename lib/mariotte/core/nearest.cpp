@@ -35,6 +35,10 @@ int distance(std::string_view a, std::string_view b) {
   return at(a.size(), b.size());
 }
 
+std::string meant(std::string_view name) {
+  return " (did you mean '" + std::string(name) + "'?)";
+}
+
 }  // namespace
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
@@ -70,7 +74,7 @@ std::vector<std::string_view> nearest_few(std::string_view word, std::span<const
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {
   const auto found = nearest(word, candidates);
-  return found.empty() ? std::string() : " (did you mean '" + std::string(found) + "'?)";
+  return found.empty() || found == word ? std::string() : meant(found);
 }
 
 std::string suggestion_or_few(std::string_view word, std::span<const std::string_view> candidates) {
@@ -84,7 +88,7 @@ std::string suggestion_or_few(std::string_view word, std::span<const std::string
 std::string suggested_path(std::string_view word, std::span<const std::string_view> candidates) {
   const auto end = "." + std::string(word);
   for (const auto one : candidates)
-    if (one.ends_with(end)) return suggestion(one, {&one, 1});
+    if (one.ends_with(end)) return meant(one);
   return suggestion(word, candidates);
 }
 

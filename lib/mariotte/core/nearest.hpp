@@ -16,7 +16,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 std::vector<std::string_view> nearest_few(std::string_view word, std::span<const std::string_view> candidates,
                                           std::size_t count);
 
-/// " (did you mean 'stiffness'?)", or "" if nothing is near.
+/// " (did you mean 'stiffness'?)", or "" if nothing else is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
 
 /// The same, or " (nearest: run, fit, law)" if nothing is near; "" of no candidates.
