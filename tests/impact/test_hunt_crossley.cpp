@@ -120,6 +120,18 @@ BOOST_AUTO_TEST_CASE(a_load_that_has_faded_lets_nothing_go) {
       }
 }
 
+// It is deepest at the start, where it has no force.
+BOOST_AUTO_TEST_CASE(a_contact_that_is_slack_from_the_start_has_its_depth_there) {
+  const contact::Law law = std::make_shared<contact::Tsuji>(0.34, 0.009);
+  const auto impact = impact::simulate({.mass = {0.14, 40, 0.65},
+                                        .law = {law, law},
+                                        .gap = {-0.12, -0.0286},
+                                        .velocity = {1, -0.7, 0.4},
+                                        .precompressed = true});
+  BOOST_TEST(impact.contacts[1].peak_force == 0);
+  BOOST_TEST(impact.contacts[1].peak_indentation == 0.0286, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_drawn_apart_faster_than_its_damping_allows_goes_slack) {
   // Ball 1 leaves with more than 1/a: all that contact 1 has stored is lost.
   const auto impact =
