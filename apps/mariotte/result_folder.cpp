@@ -117,7 +117,7 @@ const std::vector<std::string> data_names = {"events.csv", "trace.csv",     "plo
 
 /// What an earlier run has left, and no file of somebody else.
 std::vector<std::string> earlier_run_files(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder / result_json)) return {};
+  if (!has_result(folder)) return {};
   auto names = report::figures_of_script(folder / "plot.gp");
   names.insert(names.end(), data_names.begin(), data_names.end());
   return names;
@@ -154,6 +154,10 @@ bool can_trace(const scene::Scene& scene) {
       [](const model::Bodies& bodies) { return std::max(bodies.body.size(), bodies.contact.size()); },
       [](const scene::LawAlone& nothing) -> std::size_t { scene::refuse(nothing); }};
   return std::visit(size, scene.model) <= most_balls_traced;
+}
+
+bool has_result(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / result_json);
 }
 
 std::vector<std::string> result_names() {

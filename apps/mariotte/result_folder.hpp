@@ -23,6 +23,9 @@ std::vector<std::string> result_names();
 /// Those that are in the folder.
 std::vector<std::string> result_files(const std::filesystem::path& folder);
 
+/// A run has written there.
+bool has_result(const std::filesystem::path& folder);
+
 /// Create the folder; without `force`, throw report::FileError if it holds a file that would be written.
 void prepare_result_folder(const std::filesystem::path& folder, bool force);
 

@@ -118,7 +118,7 @@ void tell_empty_window(double end, const scene::Scene& scene) {
 /// Writes the files of a run, and says which; `waves...` is the image that only chains have.
 template <class Impact, class... Waves>
 void write(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
-  if (!options.force && std::filesystem::exists(std::filesystem::path(options.out) / "result.json"))
+  if (!options.force && has_result(options.out))
     throw report::FileError(
         "cannot write into " + options.out + ": another run has written there meanwhile (--force overwrites)",
         fault::exists);

@@ -9,6 +9,7 @@
 #include "support/flow_steps.hpp"
 #include "support/networks.hpp"
 #include "support/reference.hpp"
+#include "support/reference_laws.hpp"
 
 using namespace mariotte;
 using hybrid::Ending;
@@ -74,7 +75,12 @@ BOOST_AUTO_TEST_CASE(packings_are_those_that_cvode_follows) {
 // Dampers, yields and pulls of other laws stand beside it in a series of powers.
 BOOST_AUTO_TEST_CASE(rings_stand_beside_other_laws) {
   const contact::Viscoelastic lossy{.stiffness = 1, .damping = 0.3, .exponent = 1.5};
-  for (const contact::Law& other : {contact::Law(contact::Hertz{2}), contact::Law(lossy)})
+  const auto named = [](nlohmann::json law) { return test::law_of(law); };
+  const std::vector<contact::Law> others = {
+      contact::Hertz{2}, lossy,
+      named({{"law", "walton-braun"}, {"loading_stiffness", 1}, {"unloading_stiffness", 3}}),
+      named({{"law", "dmt"}, {"effective_modulus", 1}, {"effective_radius", 1}, {"work_of_adhesion", 1e-3}})};
+  for (const auto& other : others)
     for (const double damping : {0.0, 0.3}) {
       const model::Chain row{.mass = {1, 0.5, 1, 2},
                              .law = {ring(1e-3, damping, 0), other, ring(1e-2, 0, damping)},

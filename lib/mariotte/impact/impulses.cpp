@@ -25,11 +25,6 @@ double lost_momentum(const model::DimensionlessChain& chain, const model::ChainL
 
 }  // namespace
 
-Index heaviest_ball(const model::DimensionlessChain& chain) {
-  const auto& list = chain.inverse_mass;
-  return list.rend() - std::min_element(list.rbegin(), list.rend()) - 1;
-}
-
 void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
               const Interval& interval, Index heaviest, std::vector<double>& p) {
   const Index n = layout.velocities();
@@ -39,9 +34,9 @@ void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& 
     return interval.after[layout.impulse[j]] - interval.before[layout.impulse[j]];
   };
   for (Index i = n - 1; i > heaviest; --i)
-    p[i - 1] = is_heavy(chain, i) ? integral(i - 1) : (i == n - 1 ? 0 : p[i]) - lost(i);
+    p[i - 1] = chain.is_faint[i - 1] ? integral(i - 1) : (i == n - 1 ? 0 : p[i]) - lost(i);
   for (Index j = 0; j < heaviest; ++j)
-    p[j] = is_heavy(chain, j) ? integral(j) : (j == 0 ? 0 : p[j - 1]) + lost(j);
+    p[j] = chain.is_faint[j] ? integral(j) : (j == 0 ? 0 : p[j - 1]) + lost(j);
 }
 
 void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& changes, Index contacts,

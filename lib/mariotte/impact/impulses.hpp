@@ -15,22 +15,14 @@ struct Interval {
   double time;
 };
 
-/// The last of the heaviest, or the last wall.
-Index heaviest_ball(const model::DimensionlessChain& chain);
-
-/// A wall, or a ball whose momentum does not tell impulses.
-inline bool is_heavy(const model::DimensionlessChain& chain, Index i) {
-  return chain.mass[i] >= chain.heavy;
-}
-
 /// p_j = ∫ f_j dt of all n−1 contacts, from momentum: p_j = p_{j−1} − m_j (Δv_j + γ t), started at the free
-/// ends of the chain where p = 0, up to the heaviest ball, whose momentum has the largest rounding. Beyond
-/// another wall or heavy ball it rests on the integral of the force on that one. Fills p.
+/// ends of the chain where p = 0, up to the heaviest ball, whose momentum has the largest rounding. Where
+/// another wall or heavy ball stands between, it rests on the integral of a faint contact's force. Fills p.
 void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
               const Interval& interval, Index heaviest, std::vector<double>& p);
 inline void impulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout,
                      const Interval& interval, std::vector<double>& p) {
-  impulses(chain, layout, interval, heaviest_ball(chain), p);
+  impulses(chain, layout, interval, model::heaviest_ball(chain), p);
 }
 
 /// A contact starts to carry force.

@@ -12,7 +12,7 @@ class ChainImpulses {
   ChainImpulses(const model::DimensionlessChain& chain, const model::ChainLayout& layout, Index columns)
       : layout_(layout),
         chain_(chain),
-        heaviest_(heaviest_ball(chain)),
+        heaviest_(model::heaviest_ball(chain)),
         mass_(layout.velocities(), columns),
         gravity_(layout.velocities(), columns) {}
 
@@ -35,9 +35,9 @@ class ChainImpulses {
     };
     double sum = 0;
     for (Index i = mass_.rows - 1; i > heaviest_; --i)
-      p[i - 1] += sum = is_heavy(chain_, i) ? 0 : sum - lost(i);
+      p[i - 1] += sum = chain_.is_faint[i - 1] ? 0 : sum - lost(i);
     sum = 0;
-    for (Index i = 0; i < heaviest_; ++i) p[i] += sum = is_heavy(chain_, i) ? 0 : sum + lost(i);
+    for (Index i = 0; i < heaviest_; ++i) p[i] += sum = chain_.is_faint[i] ? 0 : sum + lost(i);
   }
 
  private:

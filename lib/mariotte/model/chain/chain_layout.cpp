@@ -7,10 +7,10 @@ void make_layout(const DimensionlessChain& chain, ChainLayout& layout) {
   for (std::size_t i = 0; i < chain.mass.size(); ++i) {
     layout.velocity.push_back(layout.size++);
     if (i == chain.law.size()) break;
-    const bool heavy = chain.mass[i] >= chain.heavy || chain.mass[i + 1] >= chain.heavy;
+    const bool wall = chain.inverse_mass[i] == 0 || chain.inverse_mass[i + 1] == 0;
     layout.gap.push_back(layout.size++);
     layout.work.push_back(contact::dissipates(chain.law[i]) ? layout.size++ : ChainLayout::absent);
-    layout.impulse.push_back(heavy ? layout.size++ : ChainLayout::absent);
+    layout.impulse.push_back(wall || chain.is_faint[i] ? layout.size++ : ChainLayout::absent);
   }
   number_guards(chain.law, layout);
   add_drives(std::ssize(chain.drive), layout);

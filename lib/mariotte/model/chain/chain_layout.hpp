@@ -8,8 +8,8 @@ namespace mariotte::model {
 using ChainLayout = ContactLayout;
 
 /// The state runs along the chain, v_1 g_1 v_2 g_2 … v_n, so that the Jacobian is a narrow band; work and
-/// impulse stand behind the gap. Momentum tells the impulses of all contacts but those with a wall, or with
-/// one of several heavy balls. Reuses the layout's memory.
+/// impulse stand behind the gap. Momentum tells the impulses of all contacts but faint ones and those with a
+/// wall. Reuses the layout's memory.
 void make_layout(const DimensionlessChain& chain, ChainLayout& layout);
 
 }  // namespace mariotte::model

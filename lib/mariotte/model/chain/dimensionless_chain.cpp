@@ -33,12 +33,19 @@ void scale_balls(const Chain& chain, DimensionlessChain& d) {
   }
 }
 
-/// See DimensionlessChain::heavy.
-double heavy_mass(const std::vector<double>& mass) {
+/// See DimensionlessChain::is_faint. What rounding leaves of a sum is that of its heaviest ball.
+void find_faint(DimensionlessChain& d) {
   constexpr double share = 1e3;
-  const double least = share * *std::min_element(mass.begin(), mass.end());
-  const auto count = std::count_if(mass.begin(), mass.end(), [&](double m) { return m >= least; });
-  return count > 1 ? least : infinity;
+  const Index contacts = std::ssize(d.reduced_mass), heaviest = heaviest_ball(d);
+  d.is_faint.assign(contacts, false);
+  const auto pass = [&](Index ball, Index contact, double& summed) {
+    summed = std::max(summed, d.mass[ball]);
+    d.is_faint[contact] = summed >= share * d.reduced_mass[contact];
+    if (d.is_faint[contact]) summed = 0;
+  };
+  double from_left = 0, from_right = 0;
+  for (Index j = 0; j < heaviest; ++j) pass(j, j, from_left);
+  for (Index i = contacts; i > heaviest; --i) pass(i, i - 1, from_right);
 }
 
 /// v̇_j − v̇_{j+1} at the start, of balls that are no walls.
@@ -108,6 +115,11 @@ double speed_of(const Chain& chain, double squared) {
 
 }  // namespace
 
+Index heaviest_ball(const DimensionlessChain& chain) {
+  const auto& list = chain.inverse_mass;
+  return list.rend() - std::min_element(list.rbegin(), list.rend()) - 1;
+}
+
 Speeds speeds(const Chain& chain) {
   const auto squared = squared_speeds(chain);
   const double largest = speed_of(chain, squared.all());
@@ -123,7 +135,7 @@ void make_dimensionless(const Chain& chain, double accuracy, DimensionlessChain&
   scale_contacts(stated, speed_of(chain, speeds.all()), accuracy * speeds.in_balance(), d);
   take_speeds(speeds, d);
   scale_balls(chain, d);
-  d.heavy = heavy_mass(d.mass);
+  find_faint(d);
   d.falls_back = falls_back(chain);
   d.drive.clear();
   for (const auto& drive : chain.drive) {
@@ -157,6 +169,7 @@ void copy_slice(const DimensionlessChain& whole, Index first, Index last, Dimens
   for (const auto list : of_balls) copy(whole.*list, slice.*list, last + 1);
   for (const auto list : of_contacts) copy(whole.*list, slice.*list, last);
   copy(whole.law, slice.law, last);
+  copy(whole.is_faint, slice.is_faint, last);
   slice.scale = whole.scale;
   slice.speed = whole.speed;
   slice.reached_speed = whole.reached_speed;
@@ -164,7 +177,6 @@ void copy_slice(const DimensionlessChain& whole, Index first, Index last, Dimens
   slice.fade_speed_ratio = whole.fade_speed_ratio;
   slice.fade_depth_ratio = whole.fade_depth_ratio;
   slice.falls_back = whole.falls_back;
-  slice.heavy = whole.heavy;
 }
 
 }  // namespace mariotte::model

@@ -12,10 +12,13 @@ struct DimensionlessChain : ScaledContacts {
   std::vector<double> mass, inverse_mass;  ///< n values; 1/∞ = 0 for a wall
   std::vector<double> gravity;             ///< n values; 0 for a wall
   bool falls_back = false;                 ///< gravity pulls some ball back to a wall
-  /// Mass from which momentum has too few digits to tell the impulses of light balls; infinite, so of walls
-  /// only, where one ball at most has it: the sums from both ends leave that one out.
-  double heavy = infinity;
+  /// By contact: its impulse is so small that momentum, summed up from the end on its side of the heaviest
+  /// ball or from such a contact before, has too few digits for it.
+  std::vector<char> is_faint;
 };
+
+/// The last of the heaviest, or the last wall: sums of momentum from both ends leave that one out.
+Index heaviest_ball(const DimensionlessChain& chain);
 
 /// Of a validated chain.
 Speeds speeds(const Chain& chain);

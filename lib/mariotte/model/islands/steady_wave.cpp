@@ -55,7 +55,7 @@ bool lets_waves_be_steady(const contact::Law& law) {
 }
 
 bool are_equal(const DimensionlessChain& chain, Index j, Index shift) {
-  if (chain.mass[j] >= chain.heavy) return false;  // the impulses of its contacts are followed
+  if (chain.is_faint[j] || chain.is_faint[j + shift]) return false;  // its impulse is followed
   if (!lets_waves_be_steady(chain.law[j]) || !lets_waves_be_steady(chain.law[j + shift])) return false;
   const auto &a = *power_law(chain.law[j]), &b = *power_law(chain.law[j + shift]);
   return a.stiffness == b.stiffness && a.exponent == b.exponent && chain.mass[j] == chain.mass[j + shift] &&
