@@ -1,5 +1,6 @@
 // A contact of a model as the flows see it that need more than a field.
 #pragma once
+#include "mariotte/contact/branched_law.hpp"
 #include "mariotte/flow/phase_contact.hpp"
 #include "mariotte/model/contacts/contact_layout.hpp"
 
