@@ -107,6 +107,15 @@ BOOST_FIXTURE_TEST_CASE(forced_results_leave_alone_what_no_run_has_written, Sess
   BOOST_TEST(!fs::exists(folder / "results/forces.svg"));
 }
 
+BOOST_FIXTURE_TEST_CASE(figures_are_drawn_without_a_word_in_any_locale, Session) {
+  for (const char* locale : {"C", "POSIX", "nowhere"}) {
+    const auto run =
+        shell(std::string("LC_ALL=") + locale + " \"$mariotte\" run three.toml -q --force --out results");
+    BOOST_TEST(run.code == 0);
+    BOOST_TEST(!has(run.err, "warning"), run.err);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(two_outputs_of_one_run_are_two_files, Session) {
   for (const std::string trace : {"results/trace.csv", "./results/../results/events.csv", "three.toml.csv"}) {
     fs::copy_file(folder / "three.toml", folder / "three.toml.csv", fs::copy_options::overwrite_existing);

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -24,9 +25,11 @@ constexpr int command_not_found = 127;
 constexpr std::string_view set_output = "set output folder.";
 constexpr int text_height = 13;  // in pixels of a sheet
 
-// In the child: gnuplot's words go to stderr, since stdout belongs to the result.
+// In the child: gnuplot's words go to stderr, since stdout belongs to the result. Scripts are UTF-8 in any
+// locale.
 [[noreturn]] void become_gnuplot(const std::filesystem::path& folder, const std::string& setting) {
   std::signal(SIGPIPE, SIG_DFL);
+  ::setenv("LC_ALL", "C.UTF-8", 1);
   if (::chdir(folder.c_str()) == 0 && ::dup2(STDERR_FILENO, STDOUT_FILENO) >= 0)
     ::execlp("gnuplot", "gnuplot", "-e", setting.c_str(), "plot.gp", nullptr);
   ::_exit(errno == ENOENT ? command_not_found : 1);
