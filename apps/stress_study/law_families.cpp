@@ -1,10 +1,12 @@
 // Chains and networks of laws that yield, adhere, or have dampers of other kinds, in units of order one.
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "chain_parts.hpp"
 #include "family.hpp"
 #include "law_numbers.hpp"
+#include "mariotte/contact/tabulated.hpp"
 #include "natural.hpp"
 
 namespace mariotte::stress_study {
@@ -94,11 +96,25 @@ Law some_adhesive(Dice& dice, double mass) {
   return make("thornton-ning", numbers);
 }
 
+/// A curve through points up to about the depth that bodies of this mass reach at v = 1.
+Law some_curve(Dice& dice, double mass) {
+  const int count = dice.whole(1, 20);
+  const double depth = dice.decades(1), force = mass / depth * dice.between(0.1, 10);
+  std::vector<contact::LawPoint> points;
+  contact::LawPoint last{.indentation = 0, .force = 0};
+  for (int i = 0; i < count; ++i) {
+    last.indentation += depth * dice.uniform(0.05, 1) / count;
+    last.force += force * dice.uniform(0.05, 1) / count;
+    points.push_back(last);
+  }
+  return contact::SharedLaw(std::make_shared<contact::Tabulated>(std::move(points)));
+}
+
 using Draw = Law (*)(Dice&, double mass);
 
 Law any_of_all(Dice& dice, double mass) {
-  const Draw kinds[] = {some_spring_and_damper, some_plastic, some_adhesive};
-  return kinds[dice.whole(0, 2)](dice, mass);
+  const Draw kinds[] = {some_spring_and_damper, some_plastic, some_adhesive, some_curve};
+  return kinds[dice.whole(0, 3)](dice, mass);
 }
 
 void replace_laws(Dice& dice, model::Chain& chain, Draw draw) {
@@ -159,6 +175,14 @@ Scene adhesive_at_a_wall(Dice& dice) {
   return limited(dice, std::move(chain));
 }
 
+/// Rows that touch or not, between walls or not.
+Scene curves(Dice& dice) {
+  auto chain = apart(dice, dice.whole(2, 8), some_curve);
+  if (dice.chance(0.5)) chain.gap.assign(chain.gap.size(), 0.0);
+  if (dice.chance(0.3)) add_wall(chain, dice.chance(0.5), dice.uniform(0.01, 1));
+  return {.model = std::move(chain)};
+}
+
 Scene mixture(Dice& dice) {
   return limited(dice, apart(dice, dice.whole(2, 6), any_of_all));
 }
@@ -172,10 +196,15 @@ Scene network_of_laws(Dice& dice) {
 }  // namespace
 
 std::vector<Family> law_families() {
-  return {{"other dampers", dampers},   {"plastic chain", plastic},
-          {"plastic row", plastic_row}, {"plastic, walls", plastic_between_walls},
-          {"adhesive chain", adhesive}, {"adhesive, wall", adhesive_at_a_wall},
-          {"mixed laws", mixture},      {"network of laws", network_of_laws}};
+  return {{"other dampers", dampers},
+          {"plastic chain", plastic},
+          {"plastic row", plastic_row},
+          {"plastic, walls", plastic_between_walls},
+          {"adhesive chain", adhesive},
+          {"adhesive, wall", adhesive_at_a_wall},
+          {"mixed laws", mixture},
+          {"network of laws", network_of_laws},
+          {"curves", curves}};
 }
 
 }  // namespace mariotte::stress_study

@@ -18,7 +18,15 @@ std::string array(const std::vector<double>& values) {
   return "[" + all + "]";
 }
 
+/// The points of a curve, which a scene has in a file.
+std::string point_table(const CubicCurve& curve) {
+  std::string text = "table = \"points.csv\"\n# indentation [m], force [N]\n";
+  for (const auto& piece : curve) text += fmt::format("# {}, {}\n", exact(piece.from), exact(piece.a[0]));
+  return text;
+}
+
 std::string keys(const contact::Law& law) {
+  if (const auto* curve = contact::curve(law)) return "law = \"tabulated\"\n" + point_table(*curve);
   const auto called = name(law);
   auto text = fmt::format("law = \"{}\"\n", called);
   const bool is_spring = called == "linear" || called == "hertz";

@@ -18,7 +18,9 @@ Force on_tangent(const Force& f, double indentation) {
 /// f(δ L, δ̇ V) in the unit of force.
 class ScaledLaw final : public CustomLaw {
  public:
-  ScaledLaw(SharedLaw law, const Scale& scale) : law_(std::move(law)), scale_(scale) {}
+  ScaledLaw(SharedLaw law, const Scale& scale) : law_(std::move(law)), scale_(scale) {
+    if (const auto* stated = law_->curve()) curve_ = scaled(*stated);
+  }
 
   std::string_view name() const override { return law_->name(); }
   Force force(double indentation, double rate) const override {
@@ -42,9 +44,19 @@ class ScaledLaw final : public CustomLaw {
     powers->damping *= std::pow(scale_.length, q) * scale_.velocity / unit;
     return powers;
   }
+  const CubicCurve* curve() const override { return curve_.empty() ? nullptr : &curve_; }
   std::vector<LawParameter> parameters() const override { return law_->parameters(); }
 
  private:
+  CubicCurve scaled(CubicCurve curve) const {
+    for (auto& piece : curve) {
+      piece.from /= scale_.length;
+      piece.to /= scale_.length;
+      double unit = 1 / scale_.force();
+      for (double& a : piece.a) a *= std::exchange(unit, unit * scale_.length);
+    }
+    return curve;
+  }
   Force scaled(const Force& f) const {
     const double unit = scale_.force();
     return {.value = f.value / unit,
@@ -54,6 +66,7 @@ class ScaledLaw final : public CustomLaw {
 
   SharedLaw law_;
   Scale scale_;
+  CubicCurve curve_;  ///< none if empty
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mariotte/contact/force.hpp"
+#include "mariotte/core/cubic_curve.hpp"
 #include "mariotte/core/damping.hpp"
 #include "mariotte/core/scale.hpp"
 
@@ -28,8 +29,8 @@ struct DampedPower {
 class BranchedLaw;
 
 /// A law f(δ, δ̇) without memory, in SI units. CVODE follows it; of the flows with closed forms and series,
-/// these follow it which can follow its powers. Objects are shared by contacts and threads, so they must not
-/// change.
+/// these follow it which can follow its powers or its pieces. Objects are shared by contacts and threads, so
+/// they must not change.
 class CustomLaw {
  public:
   virtual ~CustomLaw() = default;
@@ -49,6 +50,8 @@ class CustomLaw {
   virtual double natural_indentation(double energy) const;
   /// The force if it is a sum of such powers.
   virtual std::optional<DampedPower> powers() const { return std::nullopt; }
+  /// The force by pieces, if it is that; series follow them.
+  virtual const CubicCurve* curve() const { return nullptr; }
   /// Numbers of the law for results.
   virtual std::vector<LawParameter> parameters() const { return {}; }
   /// The law itself if it has branches, which only the library's own have.

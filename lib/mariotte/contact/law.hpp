@@ -9,7 +9,8 @@
 
 namespace mariotte::contact {
 
-/// The law of one contact. Flows with closed forms and series are made for powers; CVODE follows any.
+/// The law of one contact. Closed forms and series are made for powers, branches and pieces; CVODE follows
+/// any.
 using Law = std::variant<PowerLaw, SharedLaw>;
 
 /// The power law, or null if it is another one.
@@ -25,6 +26,11 @@ inline std::optional<DampedPower> powers(const Law& law) {
                        .damping = power->damping,
                        .grows = Damping::as_slope};
   return std::get<SharedLaw>(law)->powers();
+}
+
+/// The force by pieces, or null if it is not that.
+inline const CubicCurve* curve(const Law& law) {
+  return power_law(law) ? nullptr : std::get<SharedLaw>(law)->curve();
 }
 
 /// The law if it has branches, or null.

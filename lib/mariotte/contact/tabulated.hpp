@@ -32,14 +32,12 @@ class Tabulated final : public CustomLaw {
   std::string_view name() const override { return "tabulated"; }
   Force force(double indentation, double rate) const override;
   double stored_energy(double indentation) const override;
+  const CubicCurve* curve() const override { return &curve_; }
   std::vector<LawParameter> parameters() const override;
 
  private:
-  std::size_t piece_of(double indentation) const;
-
-  std::vector<LawPoint> points_;
-  std::vector<double> slope_;   ///< at each point [N/m]
-  std::vector<double> energy_;  ///< stored at each point [J]
+  CubicCurve curve_;            ///< between the points, and beyond
+  std::vector<double> energy_;  ///< stored where each piece begins [J]
 };
 
 }  // namespace mariotte::contact

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mariotte/core/cubic_curve.hpp"
 #include "mariotte/core/damping.hpp"
 #include "mariotte/core/types.hpp"
 #include "mariotte/core/width_branch.hpp"
@@ -41,11 +42,12 @@ struct PhaseContact {
   double ring = 0;                     ///< a, of a ring of adhesion
   double ring_damping = 0;             ///< b
   const WidthBranch* width = nullptr;  ///< the force, where it is that and no power
+  const CubicCurve* curve = nullptr;   ///< likewise
   Role role = Role::open;
 
   /// f = kδ + c δ̇, cut off where it would pull.
   bool is_linear() const {
-    return exponent == 1 && (damping == 0 || (grows == Damping::as_slope && load_guard >= 0));
+    return exponent == 1 && !curve && (damping == 0 || (grows == Damping::as_slope && load_guard >= 0));
   }
   /// Its load may be positive still where its indentation ends; that of any other falls before, or with it.
   bool opens_loaded() const { return load_guard < 0 || grows == Damping::as_force; }

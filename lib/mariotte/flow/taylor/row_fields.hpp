@@ -157,6 +157,26 @@ struct WidthField : WidthQuantities {
   }
 };
 
+/// Forces by pieces of cubics.
+struct CubicQuantities : RowQuantities {
+  enum { from, push0, push1, push2, push3, cubic_parameters };
+};
+
+/// The caller gives the coefficients of δ̇, as of linked contacts.
+struct CubicField : CubicQuantities {
+  enum { parameters = cubic_parameters };
+  static constexpr bool is_uniform(int row) { return row == clock || row == time; }
+
+  template <class T>
+  static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
+    std::array<T, rows> row{};
+    const T depth = x[indentation] - p[from];
+    row[indentation] = x[rate];
+    row[impulse] = p[push0] + depth * (p[push1] + depth * (p[push2] + depth * p[push3]));
+    return row;
+  }
+};
+
 /// Contacts without force, moved from outside.
 template <Pace pace>
 struct StillField : RowQuantities {

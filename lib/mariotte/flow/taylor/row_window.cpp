@@ -41,7 +41,7 @@ void fill(Window& w, int lane) {
   fill(w, lane, rate(phase, w.x, j));
 }
 
-/// Rows with more contacts than a row of lanes holds, or with branches that are no powers, are expanded as
+/// Rows with more contacts than a row of lanes holds, or with forces that are no powers, are expanded as
 /// contacts linked in any way.
 void couple_row(Window& w) {
   auto& l = w.lanes;
@@ -116,7 +116,7 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);
   w.lanes.linked = false;
-  if (w.lanes.count > row_limit() || w.lanes.widened || w.drives) couple_row(w);
+  if (w.lanes.count > row_limit() || w.lanes.widened || w.lanes.pieced || w.drives) couple_row(w);
   settle(w);
 }
 

@@ -39,20 +39,19 @@ bool concerns_problem(const Window& w, const taylor::Values& values) {
   return any;
 }
 
-/// Branches that are no powers have a series of their own, from the start of a contact on: either all
-/// contacts that push have one, or none. No series of theirs has powers of other depths.
+/// Branches that are no powers, and pieces of curves, have each a series of their own, from the start of a
+/// contact on: either all contacts that push have one, or none. No series of theirs has powers of other
+/// depths.
 bool are_alike(const std::vector<PhaseContact>& contacts) {
-  if (std::none_of(contacts.begin(), contacts.end(), [](const PhaseContact& c) { return c.width; }))
-    return true;
-  const auto pushes = [](const PhaseContact& c) { return c.pushes(); };
-  const auto is_wide = [](const PhaseContact& c) { return c.pushes() && c.width; };
-  const auto is_other = [](const PhaseContact& c) {
-    return (c.role == Role::touching && c.width) ||
-           (c.role == Role::slack && c.damping > 0 && c.grows == Damping::as_root);
-  };
-  const auto wide = std::count_if(contacts.begin(), contacts.end(), is_wide);
-  return wide == 0 || (wide == std::count_if(contacts.begin(), contacts.end(), pushes) &&
-                       std::none_of(contacts.begin(), contacts.end(), is_other));
+  const auto count = [&](auto&& is_one) { return std::count_if(contacts.begin(), contacts.end(), is_one); };
+  const auto wide = count([](const PhaseContact& c) { return c.pushes() && c.width; });
+  const auto pieced = count([](const PhaseContact& c) { return c.pushes() && c.curve; });
+  if (wide == 0 && pieced == 0) return true;
+  if (std::max(wide, pieced) < count([](const PhaseContact& c) { return c.pushes(); })) return false;
+  return count([](const PhaseContact& c) {
+           return (c.role == Role::touching && c.width) ||
+                  (c.role == Role::slack && c.damping > 0 && c.grows == Damping::as_root);
+         }) == 0;
 }
 
 class Taylor final : public Flow {

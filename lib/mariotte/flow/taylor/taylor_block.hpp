@@ -2,6 +2,7 @@
 // namespace they live in.
 #pragma once
 #include "mariotte/flow/taylor/lane_motion.hpp"
+#include "mariotte/flow/taylor/taylor_cubics.hpp"
 #include "mariotte/flow/taylor/taylor_widths.hpp"
 #include "mariotte/series/series.hpp"
 
@@ -75,6 +76,7 @@ class Block : RowQuantities {
       if (motion_.still) return motion_.clocked ? use(made(still_landing_)) : use(made(still_plain_));
       if (motion_.lanes->widened)
         return motion_.clocked ? use(made(width_landing_)) : use(made(width_plain_));
+      if (motion_.lanes->pieced) return use(made(cubic_));
     }
     if (motion_.lanes->general)
       motion_.lanes->mixed ? use(made(general_mixed_)) : use(made(general_));
@@ -90,6 +92,8 @@ class Block : RowQuantities {
     if constexpr (std::is_same_v<decltype(&series), decltype(width_plain_.get())> ||
                   std::is_same_v<decltype(&series), decltype(width_landing_.get())>)
       series.begin(width_states(start_, motion_.of(motion_.lanes->width)), width_parameters());
+    else if constexpr (std::is_same_v<decltype(&series), decltype(cubic_.get())>)
+      series.begin(start_, cubic_numbers<N>(*motion_.lanes, motion_.first));
     else
       series.begin(start_, motion_.parameter);
   }
@@ -172,6 +176,7 @@ class Block : RowQuantities {
   Own<Pace::general, Terms::mixed> general_mixed_;
   Of<WidthField<Pace::plain>> width_plain_;
   Of<WidthField<Pace::landing>> width_landing_;
+  Of<CubicField> cubic_;
   Of<StillField<Pace::plain>> still_plain_;
   Of<StillField<Pace::landing>> still_landing_;
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 
+#include "mariotte/core/cubic_curve.hpp"
 #include "mariotte/core/width_branch.hpp"
 #include "mariotte/flow/instruction_set.hpp"
 #include "mariotte/flow/taylor/lane_table.hpp"
@@ -57,9 +58,11 @@ class Lanes {
   bool branched = false;  ///< some yield or turn is watched
   bool linked = false;    ///< `links` says what lanes do to each other; else they are a row
   bool widened = false;   ///< the forces are those of `branch`, not powers
+  bool pieced = false;    ///< the forces are those of `piece`, not powers
   Links links;
   const double* bend = nullptr;  ///< more of δ̈ than `drive`, if any: by order, of all linked lanes
   const WidthBranch* const* branch = nullptr;  ///< of each lane, if widened; null of one without force
+  const CubicPiece* const* piece = nullptr;    ///< of each lane, if pieced; null of one without force
   double* indentation;                         ///< δ; negative where open
   double* rate;                                ///< δ̇
   double* width;                               ///< u of its branch

@@ -5,6 +5,7 @@
 
 #include "mariotte/flow/roots/polynomial.hpp"
 #include "mariotte/flow/roots/rough_root.hpp"
+#include "mariotte/flow/series_guards.hpp"
 #include "mariotte/flow/taylor/drive_series.hpp"
 #include "mariotte/flow/taylor/felt.hpp"
 
@@ -267,6 +268,7 @@ Piece Stepper::series_piece() {
   piece.end = std::min(reach(piece), reach_of_drives(window, piece.order, precision_.tolerance));
   if (piece.clock != Expansion::plain) land(piece);
   for (int j = 0; window.drives && j < l.count; ++j) end_beyond_noise(piece, j);
+  for (int j = 0; l.pieced && j < l.count; ++j) end_beyond_knots(piece, j);
   shorten(piece, piece.end);
   return piece;
 }
@@ -285,6 +287,26 @@ void Stepper::end_beyond_noise(Piece& piece, int lane) const {
     left[0] += level;
     piece.end = std::min(piece.end, flow::place_of_fall(std::span(left).first(used.size()), piece.end));
   }
+}
+
+/// End it where a force has come to its next piece, or back to the one before: so far beyond their knot that
+/// rounding leaves no doubt of the side. What both pieces say there differs by less than rounding.
+void Stepper::end_beyond_knots(Piece& piece, int lane) const {
+  const auto* own = window.piece[lane];
+  if (!own) return;
+  const auto& contact = window.contact(lane);
+  const double beyond = 64 * epsilon * std::max(contact.length, std::abs(window.lanes.indentation[lane]));
+  Coefficients c;
+  const auto used = piece.coefficients(Quantity::indentation, lane, c);
+  const auto end_at_fall = [&](double side, double left) {
+    if (left > most_change(used, piece.end)) return;
+    Coefficients distance;
+    for (int k = 1; k <= piece.order; ++k) distance[k] = side * c[k];
+    distance[0] = left;
+    piece.end = std::min(piece.end, flow::place_of_fall(std::span(distance).first(used.size()), piece.end));
+  };
+  end_at_fall(-1, own->to + beyond - c[0]);
+  if (own != contact.curve->data()) end_at_fall(1, c[0] - own->from + beyond);
 }
 
 /// End a piece in a contact's own clock where that contact lets go: behind, time would run backwards. There

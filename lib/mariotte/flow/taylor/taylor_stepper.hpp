@@ -64,6 +64,7 @@ class Stepper {
   Piece series_piece();
   void land(Piece& piece);
   void end_beyond_noise(Piece& piece, int lane) const;
+  void end_beyond_knots(Piece& piece, int lane) const;
   void end_at_turn(Piece& piece, int lane);
   void end_at(Fall& fall, Piece& piece);
   void stand_at(const Fall& fall, const Piece& piece);

@@ -6,8 +6,8 @@
 
 namespace mariotte::model {
 
-/// Open so far. A law that is no sum of powers is no force at all: these flows follow such a contact while it
-/// is open only.
+/// Open so far. A law that is no sum of powers, and no curve, is no force at all: these flows follow such a
+/// contact while it is open only.
 inline flow::PhaseContact phase_contact(const ScaledContacts& model, const ContactLayout& at, Index j) {
   const auto law = powers(model.law[j])
                        .value_or(contact::DampedPower{
@@ -22,7 +22,8 @@ inline flow::PhaseContact phase_contact(const ScaledContacts& model, const Conta
           .exponent = law.exponent,
           .grows = law.grows,
           .length = model.length[j],
-          .noise_depth = model.fading_depth(j)};
+          .noise_depth = model.fading_depth(j),
+          .curve = contact::curve(model.law[j])};
 }
 
 inline void take_over(const contact::ShiftedPower& power, flow::PhaseContact& contact) {

@@ -103,7 +103,7 @@ template <class Topology>
 bool TopologyPhase<Topology>::follow_branch(Index j) {
   auto& contact = flows_.contact(j);
   const auto* branches = contact::branched(law(j));
-  if (!branches) return contact.role == flow::Role::open || contact.stiffness > 0;
+  if (!branches) return contact.role == flow::Role::open || contact.stiffness > 0 || contact.curve;
   contact.origin = contact.damping = contact.pull = contact.ring = 0;
   contact.branch_guard = -1;
   contact.width = nullptr;

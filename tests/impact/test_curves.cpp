@@ -1,0 +1,125 @@
+// Rows and networks whose forces are curves through points: series by pieces against CVODE, which asks the
+// law.
+#define BOOST_TEST_MODULE curves through points
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "mariotte/contact/tabulated.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
+#include "mariotte/impact/network/network_impact.hpp"
+#include "support/driven_rows.hpp"
+#include "support/flow_steps.hpp"
+#include "support/networks.hpp"
+#include "support/reference.hpp"
+
+using namespace mariotte;
+
+namespace {
+
+contact::Law curve(std::vector<contact::LawPoint> points) {
+  return contact::SharedLaw(std::make_shared<contact::Tabulated>(std::move(points)));
+}
+
+/// Rising points as far apart as a random process says, up to what bodies of mass and speed 1 reach.
+contact::Law random_curve(std::mt19937_64& random, int points) {
+  std::uniform_real_distribution<double> share(0.1, 1);
+  std::vector<contact::LawPoint> made;
+  contact::LawPoint last{.indentation = 0, .force = 0};
+  for (int i = 0; i < points; ++i) {
+    last.indentation += 2 * share(random) / points;
+    last.force += 3 * share(random) / points;
+    made.push_back(last);
+  }
+  return curve(made);
+}
+
+struct Both {
+  Index series = 0, adams = 0;  ///< steps
+
+  template <class Model>
+  void compare(const Model& model, double accuracy, double max_time = 100) {
+    const auto by = [&](flow::Kind kind, double asked) {
+      return impact::simulate(model, {.accuracy = asked, .max_time = max_time, .flow = kind});
+    };
+    const auto one = by(flow::Kind::taylor, accuracy), two = by(flow::Kind::cvode_adams, 0.1 * accuracy);
+    BOOST_TEST((one.ending == two.ending), one.message << two.message);
+    BOOST_TEST(one.events.size() == two.events.size());
+    BOOST_TEST(test::difference(one.velocity, two.velocity) < accuracy);
+    BOOST_TEST(std::abs(one.energy.residual) < accuracy);
+    BOOST_TEST(test::steps(one, flow::Kind::cvode_adams) == 0);
+    series += test::steps(one, flow::Kind::taylor);
+    adams += test::steps(two, flow::Kind::cvode_adams);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rows_are_those_that_cvode_follows) {
+  std::mt19937_64 random(1984);
+  std::uniform_real_distribution<double> share(0, 1);
+  Both both;
+  for (int i = 0; i < 60; ++i) {
+    const auto contacts = 1 + random() % 6;
+    model::Chain row{.mass = {1}, .law = {}, .gap = {}, .velocity = {1}};
+    for (std::size_t j = 0; j < contacts; ++j) {
+      row.mass.push_back(j + 1 == contacts && i % 3 == 0 ? infinity : 0.3 + 2 * share(random));
+      row.velocity.push_back(0);
+      row.gap.push_back(i % 2 * share(random));
+      row.law.push_back(random_curve(random, 1 + static_cast<int>(random() % 20)));
+    }
+    both.compare(row, 1e-10);
+  }
+  BOOST_TEST(10 * both.series < both.adams);
+}
+
+BOOST_AUTO_TEST_CASE(packings_are_those_that_cvode_follows) {
+  std::mt19937_64 random(1985);
+  Both both;
+  for (const int points : {1, 5, 30})
+    both.compare(test::lattice(4, random, [&](Index, Index) { return random_curve(random, points); }), 1e-9);
+  BOOST_TEST(5 * both.series < both.adams);
+}
+
+BOOST_AUTO_TEST_CASE(driven_rows_are_those_that_cvode_follows) {
+  std::mt19937_64 random(1986);
+  for (const double gravity : {0.0, 0.2}) {
+    model::Chain row{.mass = {infinity, 1, 1, 1},
+                     .law = {random_curve(random, 9), random_curve(random, 7), random_curve(random, 5)},
+                     .gap = {0, 0.1, 0.2},
+                     .velocity = {0, 0, 0, 0},
+                     .gravity = gravity};
+    row.drive = {test::drive(0, model::Driven::velocity, model::sine(0.5, 1, 0))};
+    Both().compare(row, 1e-10, 4);
+  }
+}
+
+// Cubics through points of a straight line are that line.
+BOOST_AUTO_TEST_CASE(a_straight_curve_is_a_spring) {
+  for (const Index balls : {2, 3, 12}) {
+    std::vector<contact::LawPoint> points;
+    for (const double depth : {0.01, 0.1, 0.3, 0.31, 0.8}) points.push_back({depth, 3 * depth});
+    model::Chain row{.mass = std::vector<double>(balls, 1.0),
+                     .law = std::vector<contact::Law>(balls - 1, curve(points)),
+                     .gap = std::vector<double>(balls - 1, 0.0),
+                     .velocity = std::vector<double>(balls, 0.0)};
+    row.velocity[0] = 1;
+    const auto by_pieces = impact::simulate(row, {.accuracy = 1e-13});
+    row.law.assign(balls - 1, contact::Linear{3});
+    const auto by_springs = impact::simulate(row, {.accuracy = 1e-13});
+    BOOST_TEST(by_pieces.events.size() == by_springs.events.size());
+    BOOST_TEST(test::difference(by_pieces.velocity, by_springs.velocity) < 1e-12);
+  }
+}
+
+// In metres, kilogrammes and seconds a grain of micrometres is what it is in its own units.
+BOOST_AUTO_TEST_CASE(a_curve_has_no_unit_of_its_own) {
+  const double length = 5e-6, mass = 7e-13, speed = 0.15, force = mass * speed * speed / length;
+  const auto impact = [](double l, double m, double v, double f) {
+    const auto law = curve({{0.1 * l, 0.05 * f}, {0.4 * l, 0.4 * f}, {0.9 * l, 1.5 * f}, {2 * l, 4 * f}});
+    const model::Chain row{.mass = {m, m, 2 * m}, .law = {law, law}, .gap = {0, 0}, .velocity = {v, 0, 0}};
+    return impact::simulate(row, {.accuracy = 1e-12});
+  };
+  const auto own = impact(1, 1, 1, 1), stated = impact(length, mass, speed, force);
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(std::abs(stated.velocity[i] / speed - own.velocity[i]) < 1e-12);
+}
