@@ -5,6 +5,7 @@
 
 #include "mariotte/core/error.hpp"
 #include "mariotte/core/monotone_cubic.hpp"
+#include "mariotte/core/types.hpp"
 
 namespace mariotte::contact {
 namespace {
