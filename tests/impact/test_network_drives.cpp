@@ -53,6 +53,27 @@ BOOST_AUTO_TEST_CASE(every_flow_pushes_a_ball_on_a_wall_of_a_network) {
   }
 }
 
+// The contacts of such a network are a row; what is driven stands beside it.
+BOOST_AUTO_TEST_CASE(what_is_driven_need_not_be_in_a_contact) {
+  for (const Index driven : {0, 1, 2}) {
+    const Index left = driven == 0, right = driven == 2 ? 1 : 2;
+    model::Network network{.mass = {1, 1, 1},
+                           .direction = {{{left, -1}, {right, 1}}},
+                           .law = {contact::Hertz(1000)},
+                           .gap = {0.1},
+                           .velocity = {0, 0, 0}};
+    network.velocity[static_cast<std::size_t>(right)] = 1;
+    network.drive = {
+        {.direction = {{driven, 1.0}}, .quantity = Driven::force, .signal = model::half_sine(1, 1)}};
+    const auto impact = simulate(network, until(2));
+    BOOST_TEST((impact.ending == hybrid::Ending::time_limit), impact.message);
+    BOOST_TEST(impact.velocity[static_cast<std::size_t>(driven)] == 2 / pi,
+               boost::test_tools::tolerance(1e-10));
+    BOOST_TEST(impact.energy.work == 2 / (pi * pi), boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(std::abs(impact.energy.residual) < 1e-10);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_momenta_of_what_no_contact_moves_balance) {
   model::Network network{.mass = {1, 1, infinity},
                          .direction = {{{1, 1}, {2, 1}}},

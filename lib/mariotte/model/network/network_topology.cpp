@@ -1,5 +1,6 @@
 #include "mariotte/model/network/network_topology.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mariotte/model/contacts/phase_contact.hpp"
@@ -40,11 +41,22 @@ bool NetworkFlows::find_ends(const DimensionlessNetwork& network) {
   return true;
 }
 
+/// Drives move what is in contacts only: a row has no place for other dofs.
+bool NetworkFlows::drives_within(const DimensionlessNetwork& network) const {
+  const auto is_joined = [&](const auto& term) { return starting_[term.dof] >= 0 || ending_[term.dof] >= 0; };
+  const auto are_joined = [&](const ContactDirection& terms) {
+    return std::all_of(terms.begin(), terms.end(), is_joined);
+  };
+  return std::all_of(network.drive.begin(), network.drive.end(), [&](const auto& drive) {
+    return are_joined(drive.direction) && are_joined(drive.response);
+  });
+}
+
 /// The contacts join bodies of one dof each in a single row: −1 in the left one, +1 in the right one, and
-/// nothing else pushed.
+/// nothing else pushed or driven.
 void NetworkFlows::find_row(const DimensionlessNetwork& network) {
   row_.clear();
-  if (!find_ends(network)) return;
+  if (!find_ends(network) || !drives_within(network)) return;
   const Index m = network.contacts();
   Index first = 0;
   while (first < m && ending_[ends_[first].left] >= 0) ++first;

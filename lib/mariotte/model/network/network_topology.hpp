@@ -34,6 +34,7 @@ class NetworkFlows {
     Index left, right;
   };
   static std::optional<Ends> ends_of(const DimensionlessNetwork& network, Index j);
+  bool drives_within(const DimensionlessNetwork& network) const;
   void find_row(const DimensionlessNetwork& network);
   bool find_ends(const DimensionlessNetwork& network);
   void make_serial(const NetworkTopology& topology);
