@@ -67,9 +67,9 @@ bool is_below(double share, const Slope& one, const Slope& other) {
   return std::abs(one.value) <= share * std::abs(other.value);
 }
 
-/// Largest size between two places, if it rises and falls there; 0 if not. By Newton's method, which halves
-/// the bracket where it would leave it. It is flat there, so a loose place is enough for a tight value. A
-/// slope that is far smaller than the other is rounding.
+/// The value between two places where the slope changes its sign; 0 if it does not. By Newton's method, which
+/// halves the bracket where it would leave it. It is flat there, so a loose place is enough for a tight
+/// value. A slope that is far smaller than the other is rounding.
 double summit(std::span<const double> row, Slope first, Slope last) {
   constexpr double rounding = 1e-8, loose = 1e-4;
   constexpr int most = 30;
@@ -87,27 +87,39 @@ double summit(std::span<const double> row, Slope first, Slope last) {
     }
     (slope * first.value > 0 ? first : last) = {place, slope};
     const double next = place - slope / bend;
-    if (std::abs(next - place) <= within) return std::abs(value + 0.5 * slope * (next - place));
+    if (std::abs(next - place) <= within) return value + 0.5 * slope * (next - place);
     place = next > first.place && next < last.place ? next : std::midpoint(first.place, last.place);
   }
-  return std::abs(value);
+  return value;
 }
 
-/// Largest size of each. Slopes are told a little inside: at an end where it is flat, rounding has the sign.
-/// Where a contact is the clock of a step, all is flat at its onset and its end: there the middle is asked.
-std::array<double, 3> largest(const Rows& row, double end) {
+/// What the rows of a contact come to at most.
+struct Most {
+  std::array<double, 3> value, size;
+  void raise(std::size_t i, double with) {
+    value[i] = std::max(value[i], with);
+    size[i] = std::max(size[i], std::abs(with));
+  }
+};
+
+/// Largest value and size of each. Slopes are told a little inside: at an end where it is flat, rounding has
+/// the sign. Where a contact is the clock of a step, all is flat at its onset and its end: there the middle
+/// is asked.
+Most largest(const Rows& row, double end) {
   constexpr double inside = 1e-6, flat = 1e-3;
   const double low = inside * end, middle = 0.5 * end, high = end - low;
   const auto start = at({row[0].first(4), row[1].first(4), row[2].first(4)}, low), stop = at(row, high);
-  std::array<double, 3> most;
+  Most most{};
   for (std::size_t i = 0; i < row.size(); ++i) {
     const Slope first{low, start.slope[i]}, last{high, stop.slope[i]};
-    most[i] = std::max(std::abs(row[i][0]), std::abs(stop.value[i] + low * stop.slope[i]));
+    most.raise(i, row[i][0]);
+    most.raise(i, stop.value[i] + low * stop.slope[i]);
     if (is_below(flat, first, last) || is_below(flat, last, first)) {
       const Slope half{middle, at({row[i], row[i], row[i]}, middle).slope[0]};
-      most[i] = std::max({most[i], summit(row[i], first, half), summit(row[i], half, last)});
+      most.raise(i, summit(row[i], first, half));
+      most.raise(i, summit(row[i], half, last));
     } else {
-      most[i] = std::max(most[i], summit(row[i], first, last));
+      most.raise(i, summit(row[i], first, last));
     }
   }
   return most;
@@ -193,10 +205,10 @@ void BodiesObserver<D>::search(const flow::Step& step) {
   if (!step.forces(forces_)) return sample_forces(step);
   for (std::size_t k = 0; k < mode_.closed.size(); ++k) {
     const auto& one = forces_[k];
-    const auto [normal, friction, depth] = largest({one.normal, one.friction, one.depth}, one.end);
-    if (!has_converged(one.normal, one.end, normal) || !has_converged(one.friction, one.end, friction))
+    const auto [most, size] = largest({one.normal, one.friction, one.depth}, one.end);
+    if (!has_converged(one.normal, one.end, size[0]) || !has_converged(one.friction, one.end, size[1]))
       return sample_forces(step);
-    raise(k, {normal, one.is_square ? std::sqrt(friction) : friction, depth});
+    raise(k, {most[0], one.is_square ? std::sqrt(size[1]) : size[1], most[2]});
   }
 }
 
