@@ -178,6 +178,32 @@ BOOST_AUTO_TEST_CASE(a_body_without_symmetry_is_followed_in_contact_and_flight) 
   BOOST_TEST(reach(body) * norm(impact.final.spin - other.final.spin) < 1e-7 * norm(body.velocity));
 }
 
+// The tip that opens is as far below the mass centre as any can be, so nothing can touch again.
+BOOST_AUTO_TEST_CASE(a_body_that_leaves_at_the_reach_of_its_tips_is_over) {
+  model::Microbody body;
+  body.body = {
+      .mass = 4e-14, .inertia = {5e-26, 4.8e-26, 4.5e-26}, .tips = {{.centre = {}, .radius = 1.25e-6}}};
+  body.law = {contact::brach_dunn(table_1, 1.25e-6, 0, 0)};
+  body.friction = {0.3};
+  body.velocity = {-5, -5, 0};
+  body.spin = {-8e5, 0, 0};
+  body.impacts = 2;
+  auto upright = body;
+  upright.body.inertia = {5e-26, 9.8e-26, 9.5e-26};
+  upright.body.tips = {{.centre = {-2e-6, 0, 0}, .radius = 1.25e-6},
+                       {.centre = {2e-6, 0, 0}, .radius = 1.25e-6}};
+  upright.law.push_back(upright.law.front());
+  upright.friction = {};
+  upright.velocity = {-5, 0, 0};
+  upright.spin = {};
+  for (const auto& one : {body, upright}) {
+    const auto impact = impact::simulate(one, {.accuracy = 1e-10, .max_time = 1});
+    BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+    BOOST_TEST(impact.impacts.size() == 1);
+    BOOST_TEST(impact.final.velocity.e1 == 5, boost::test_tools::tolerance(1e-9));
+  }
+}
+
 // In flight nothing turns a body: Rᵀ-components of the angular momentum precess, its space components do not.
 BOOST_AUTO_TEST_CASE(angular_momentum_and_energy_are_kept_in_flight_with_the_gyroscopic_term) {
   auto body = lopsided();

@@ -215,6 +215,16 @@ void MicrobodySystem::pass(TipGuard guard, Mode& mode, Index i, ConstState x,
   }
 }
 
+/// The last tip has opened with the mass centre at the reach of the tips, or higher, so that the guard which
+/// waits for that would wait for ever.
+bool MicrobodySystem::has_escaped(const Mode& mode, ConstState x) const {
+  const auto is_clear = [](const TipMode& tip) { return tip.contact == TipContact::clear; };
+  if (body_.symmetric || body_.gravity > 0 || !std::all_of(mode.tip.begin(), mode.tip.end(), is_clear))
+    return false;
+  const double rounding = 64 * epsilon * reach(body_.body);
+  return x[layout_.place.velocity] > 0 && clearance(mechanics(), x) >= -rounding;
+}
+
 void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, ConstState x,
                                  std::vector<Change>& changes) const {
   const bool rough = body_.friction.coefficient > 0;
@@ -229,6 +239,7 @@ void MicrobodySystem::transition(Mode& mode, const std::vector<Index>& fired, Co
     const Index i = guard / guards_per_tip;
     if (i < layout_.tips) pass(static_cast<TipGuard>(guard % guards_per_tip), mode, i, x, changes);
   }
+  mode.escaped |= has_escaped(mode, x);
   if (!rough) return;
   grip(mode, closed_since(before, mode), x, changes);
   hold_or_release(mode, x, changes);

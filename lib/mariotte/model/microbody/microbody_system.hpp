@@ -51,6 +51,7 @@ class MicrobodySystem {
                    std::vector<Change>& changes) const;
   void touch_or_open(Mode& mode, Index tip, ConstState x, std::vector<Change>& changes) const;
   bool slips_on(Index tip, ConstState x) const;
+  bool has_escaped(const Mode& mode, ConstState x) const;
   void flip_unnamed_forces(Mode& mode, const std::vector<Index>& fired, ConstState x,
                            std::vector<Change>& changes) const;
   void flip_force(Mode& mode, Index tip, std::vector<Change>& changes) const;
