@@ -4,8 +4,10 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "mariotte/contact/tabulated.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "support/reference_laws.hpp"
 
 using namespace mariotte;
@@ -255,4 +257,31 @@ BOOST_AUTO_TEST_CASE(a_strong_damper_stops_a_fallen_ball_as_in_a_chain) {
     BOOST_TEST((impact.ending == Ending::separated || impact.ending == Ending::time_limit), impact.message);
     BOOST_TEST(norm(impact.body[0].velocity - expected.velocity[1] * along) <= 1e-9 * one.speed);
   }
+}
+
+// Adhesion pulls what comes in more strongly than it is pressed afterwards.
+BOOST_AUTO_TEST_CASE(peaks_of_what_pulls_are_those_of_the_push) {
+  for (const bool damped : {false, true}) {
+    nlohmann::json law = {
+        {"law", "jkr"}, {"effective_modulus", 100}, {"effective_radius", 1}, {"work_of_adhesion", 0.4}};
+    if (damped) law["damping"] = 60;
+    model::Chain pair{.mass = {infinity, 1}, .law = {test::law_of(law)}, .gap = {1e-2}, .velocity = {0, -1}};
+    for (const double until : {0.03, 0.05, 0.08, 0.3}) {
+      const auto chain = impact::simulate(pair, {.accuracy = 1e-10, .max_time = until});
+      const auto bodies = impact::simulate(row_of(pair), {.accuracy = 1e-10, .max_time = until});
+      BOOST_TEST(std::abs(bodies.contacts[0].peak_force - chain.contacts[0].peak_force) < 1e-8);
+      BOOST_TEST(std::abs(bodies.contacts[0].peak_indentation - chain.contacts[0].peak_indentation) < 1e-9);
+    }
+  }
+}
+
+// It runs flat below the weight: nothing rests there, and the body sinks on.
+BOOST_AUTO_TEST_CASE(a_curve_may_end_below_the_weight) {
+  const contact::Law flat = contact::SharedLaw(std::make_shared<contact::Tabulated>(
+      std::vector<contact::LawPoint>{{0.01, 0.1}, {0.02, 0.5}, {0.05, 0.6}}));
+  auto bodies = row_of({.mass = {infinity, 1}, .law = {flat}, .gap = {0.01}, .velocity = {0, -0.1}});
+  bodies.gravity = -0.7 * along;
+  const auto impact = impact::simulate(bodies, {.accuracy = 1e-10, .max_time = 2});
+  BOOST_TEST((impact.ending == Ending::time_limit), impact.message);
+  BOOST_TEST(std::abs(impact.energy.residual) < 1e-9);
 }

@@ -86,13 +86,13 @@ Force load(const CustomLaw& law, double indentation, double rate) {
   return indentation >= 0 ? law.load(indentation, rate) : on_tangent(law.load(0, rate), indentation);
 }
 
-double static_indentation(const CustomLaw& law, double force) {
+std::optional<double> static_indentation(const CustomLaw& law, double force) {
   const auto at_rest = [&](double depth) {
     const auto* branched = law.branched();
     return branched ? branched->force(loaded_first(*branched, depth), depth, 0).value
                     : law.force(depth, 0).value;
   };
-  return where_reached(at_rest, force, law.name());
+  return if_reached(at_rest, force);
 }
 
 SharedLaw in_units(const SharedLaw& law, const Scale& scale) {

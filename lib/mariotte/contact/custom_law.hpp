@@ -66,8 +66,9 @@ Force smooth_force(const CustomLaw& law, double indentation, double rate);
 /// The load likewise.
 Force load(const CustomLaw& law, double indentation, double rate);
 
-/// Indentation at which the contact carries a force at rest [m], loaded for the first time.
-double static_indentation(const CustomLaw& law, double force);
+/// Indentation at which the contact carries a force at rest [m], loaded for the first time; none if it never
+/// carries that much.
+std::optional<double> static_indentation(const CustomLaw& law, double force);
 
 /// The same law with δ, δ̇, force and energy in other units. Throws InvalidParameter if no indentation
 /// stores the unit of energy.

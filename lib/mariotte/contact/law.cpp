@@ -41,8 +41,14 @@ bool watches_turns(const Law& law) {
   return branches && branches->watches_turns();
 }
 
+std::optional<double> find_static_indentation(const Law& law, double force) {
+  return with(law, [&](const auto& one) -> std::optional<double> { return static_indentation(one, force); });
+}
+
 double static_indentation(const Law& law, double force) {
-  return with(law, [&](const auto& one) { return static_indentation(one, force); });
+  if (const auto found = find_static_indentation(law, force)) return *found;
+  throw InvalidParameter("the law '" + std::string(name(law)) +
+                         "' never comes to the force that its contact carries at rest");
 }
 
 std::string_view name(const Law& law) {

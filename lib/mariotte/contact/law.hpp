@@ -89,6 +89,8 @@ bool adheres(const Law& law);
 bool watches_turns(const Law& law);
 /// Indentation at which the contact carries a force at rest [m].
 double static_indentation(const Law& law, double force);
+/// The same; none if it never carries that much, where the other throws InvalidParameter.
+std::optional<double> find_static_indentation(const Law& law, double force);
 
 /// "linear", "hertz", "viscoelastic", or the name that another law gives itself.
 std::string_view name(const Law& law);

@@ -80,15 +80,17 @@ double natural_indentation(const contact::Law& law, double energy) {
                : std::get<contact::SharedLaw>(law)->natural_indentation(energy);
 }
 
-/// By how much weights press contacts whose gap is not wider, at most.
+/// By how much weights press contacts whose gap is not wider, at most. One that cannot carry its weight has
+/// no rest.
 template <int D>
 double sag(const BodiesSetting<D>& setting, double widest) {
   const double g = norm(setting.gravity);
   double depth = 0;
   for (const auto& c : setting.contact)
-    if (g > 0 && c.gap <= widest)
-      depth = std::max(depth,
-                       contact::static_indentation(c.law, setting.body[setting.sphere[c.b].body].mass * g));
+    if (g > 0 && c.gap <= widest) {
+      const double weight = setting.body[setting.sphere[c.b].body].mass * g;
+      depth = std::max(depth, contact::find_static_indentation(c.law, weight).value_or(0));
+    }
   return depth;
 }
 
