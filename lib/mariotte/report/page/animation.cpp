@@ -212,7 +212,7 @@ constexpr const char* script = R"(
   }
   function tick(now) {
     if (!playing) return;
-    at += (now - before) / 1000 / seconds * last;
+    at += Math.max(0, now - before) / 1000 / seconds * last;  // the first frame may have begun before
     before = now;
     if (at >= last) { at = last; pause(); }
     draw();
