@@ -107,6 +107,20 @@ BOOST_FIXTURE_TEST_CASE(forced_results_leave_alone_what_no_run_has_written, Sess
   BOOST_TEST(!fs::exists(folder / "results/forces.svg"));
 }
 
+// As on a full disk: no word, and exit code 0.
+BOOST_FIXTURE_TEST_CASE(figures_that_gnuplot_leaves_unfinished_are_none, Session) {
+  fs::create_directory(folder / "fake");
+  write("fake/gnuplot",
+        "#!/bin/sh\neval \"$2\"\n"
+        "for name in $(sed -n \"s/^set output folder.'\\(.*\\)'/\\1/p\" plot.gp); do : >\"$folder$name\"; "
+        "done\n");
+  fs::permissions(folder / "fake/gnuplot", fs::perms::owner_all);
+  const auto run = shell("PATH=\"$PWD/fake:$PATH\" \"$mariotte\" run three.toml --out results");
+  BOOST_TEST(run.code == 0);
+  BOOST_TEST(has(run.err, "no figures: gnuplot"), run.err);
+  BOOST_TEST(!fs::exists(folder / "results/forces.png"));
+}
+
 BOOST_FIXTURE_TEST_CASE(figures_are_drawn_without_a_word_in_any_locale, Session) {
   for (const char* locale : {"C", "POSIX", "nowhere"}) {
     const auto run =

@@ -14,6 +14,7 @@
 #include <iterator>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "mariotte/report/figure/palette.hpp"
 #include "mariotte/report/page/files.hpp"
@@ -54,11 +55,25 @@ void keep_pixels(const std::filesystem::path& svg) {
   std::ofstream(svg) << text;
 }
 
+/// It ends as a file of its kind does: on a full disk gnuplot leaves pieces, and says nothing.
+bool is_whole(const std::filesystem::path& figure) {
+  constexpr std::array endings = {std::pair{".png", "IEND"}, std::pair{".svg", "</svg>"},
+                                  std::pair{".pdf", "%%EOF"}};
+  std::string tail(12, ' ');
+  std::ifstream file(figure, std::ios::binary);
+  file.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
+  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  return std::all_of(endings.begin(), endings.end(), [&](const auto& kind) {
+    return figure.extension() != kind.first || tail.find(kind.second) != tail.npos;
+  });
+}
+
 bool move_figures(const std::filesystem::path& from, const std::filesystem::path& to,
                   const std::vector<std::string>& figures) {
   std::error_code problem;
   for (const auto& name : figures) {
     if (name.ends_with(".svg")) keep_pixels(from / name);
+    if (!is_whole(from / name)) return false;
     std::filesystem::rename(from / name, to / name, problem);
     if (problem) return false;
   }
