@@ -115,6 +115,14 @@ BOOST_FIXTURE_TEST_CASE(more_rows_than_fit_into_memory_at_once_keep_their_order,
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(what_hdf5_takes_for_a_group_is_no_name_of_a_column, Folder) {
+  for (const std::string name : {"v2/v1", "."})
+    BOOST_CHECK_EXCEPTION(
+        report::new_hdf5_sweep(path / "sweep.h5", design(), {{name}}), report::FileError,
+        [&](const auto& error) { return std::string(error.what()).find("'" + name + "'") != name.npos; });
+  BOOST_TEST(std::filesystem::is_empty(path));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_file_that_cannot_be_written_is_named, Folder) {
   const auto nowhere = path / "no" / "sweep.h5";
   BOOST_CHECK_EXCEPTION(report::new_hdf5_sweep(nowhere, design(), {}), report::FileError,

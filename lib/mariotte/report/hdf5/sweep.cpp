@@ -78,11 +78,19 @@ void write_shape(const H5::H5File& file, const study::Design& design) {
       .write(H5::PredType::NATIVE_INT64, counts.data());
 }
 
+/// '/' separates groups in HDF5, and '.' is a group itself.
+void expect_name(const std::filesystem::path& file, const std::string& column) {
+  if (column != "." && column.find('/') == column.npos) return;
+  throw FileError("cannot write " + file.string() + ": there '" + column +
+                  "' is no name of a column; give it one without '/'");
+}
+
 class Hdf5Sweep final : public SweepFile {
  public:
   Hdf5Sweep(const std::filesystem::path& path, const study::Design& design,
             const std::vector<study::Column>& columns, const Attributes& origin)
       : target_(path, temporary_name(path)) {
+    for (const auto& column : columns) expect_name(path, column.key);
     target_.guarded([&] {
       for (const auto& [name, words] : origin) hdf5::describe(target_.file(), name, words);
       write_shape(target_.file(), design);
