@@ -57,10 +57,12 @@ struct SeriesEnd {
   Index guard = -1;
 };
 
-/// What may be left of a phase after so many steps, or so many in a row that get nowhere, is stiff.
+/// What may be left of a phase after so many steps, or so many in a row that get nowhere, is stiff. Where
+/// another flow has begun with no longer steps, it is not, and may take so many times as many.
 struct SeriesLimits {
   Index steps, stalled;
 };
+inline constexpr Index series_patience = 100;
 
 /// A step of an expansion, with `time` and `state` as below.
 template <class Expansion>
@@ -124,11 +126,12 @@ Arrival follow_by_series(Expansion& expansion, const SeriesLimits& limits, State
                          std::vector<Index>& fired, const Arrival& so_far = {}) {
   SeriesStep<Expansion> step(expansion);
   step.end = so_far.duration;
+  const Index most = request.patient ? series_patience * limits.steps : limits.steps;
   Index count = 0, stalled = 0;
   const auto arrive = [&](Outcome outcome) {
     return Arrival{outcome, step.end, so_far.steps + count, so_far.rhs + count * expansion.order()};
   };
-  while (count < limits.steps && stalled < limits.stalled) {
+  while (count < most && stalled < limits.stalled) {
     const bool first = count++ == 0;
     expansion.before.assign(x.begin(), x.end());
     double reach = expansion.expand(x, first);
@@ -153,7 +156,9 @@ Arrival follow_by_series(Expansion& expansion, const SeriesLimits& limits, State
     if (limited || end.guard >= 0) return arrive(limited ? Outcome::limit : Outcome::guard);
     stalled = expansion.is_stalled(step) ? stalled + 1 : 0;
   }
-  return arrive(Outcome::stiff);
+  auto arrival = arrive(Outcome::stiff);
+  arrival.resumable = count == most && !request.patient;
+  return arrival;
 }
 
 }  // namespace mariotte::flow
