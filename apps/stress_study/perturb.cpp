@@ -1,5 +1,8 @@
+#include <memory>
+
 #include "dice.hpp"
 #include "law_numbers.hpp"
+#include "mariotte/contact/tabulated.hpp"
 #include "natural.hpp"
 #include "run.hpp"
 
@@ -18,10 +21,22 @@ class Noise {
   Dice dice_;
 };
 
+/// All indentations by one factor, and all forces by another.
+contact::Law disturbed(const CubicCurve& curve, Noise& noise) {
+  std::vector<contact::LawPoint> points;
+  const double longer = 1 + noise(), stronger = 1 + noise();
+  for (const auto& piece : curve) points.push_back({longer * piece.from, stronger * piece.a[0]});
+  return contact::SharedLaw(std::make_shared<contact::Tabulated>(std::move(points)));
+}
+
 void disturb(contact::Law& law, Noise& noise) {
   if (auto* power = std::get_if<contact::PowerLaw>(&law)) {
     noise.scale(power->stiffness);
     if (power->damping > 0) noise.scale(power->damping);
+    return;
+  }
+  if (const auto* curve = contact::curve(law)) {
+    law = disturbed(*curve, noise);
     return;
   }
   law = with_numbers(law, [&](std::string_view key, double& value) {

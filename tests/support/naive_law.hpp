@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "mariotte/contact/law.hpp"
+#include "support/naive_curve.hpp"
 
 namespace mariotte::test {
 
@@ -32,6 +33,10 @@ class NaiveLaw {
                                                  {"work_of_adhesion", &w_},
                                                  {"damping_hertz", &hertz_damping_},
                                                  {"damping_adhesion", &ring_damping_}};
+    if (const auto* curve = contact::curve(law)) {
+      curve_ = NaiveCurve(*curve);
+      return;
+    }
     for (const auto& [key, value] : contact::parameters(law)) *place.at(key) = value;
     if (w_ > 0) s_ = std::sqrt(2 * std::numbers::pi * w_ / e_);
     if (name_ == "thornton") yield_radius_ = std::numbers::pi * p_ * r_ / (2 * e_);
@@ -39,6 +44,7 @@ class NaiveLaw {
   }
 
   double force(const NaiveMemory& past, double depth, double rate) const {
+    if (curve_.is_given()) return curve_.force(depth);
     if (k_ > 0) return pulls_ ? spring(depth, rate) : std::max(0.0, spring(depth, rate));
     if (name_ == "walton-braun") return walton_braun(std::max(past.peak, depth), depth);
     if (name_ == "thornton") return thornton(std::max(past.peak, depth), depth);
@@ -55,6 +61,7 @@ class NaiveLaw {
   /// Depth at which a contact of this reduced mass is stopped, in order of size.
   double natural_depth(double inverse_mass, double speed) const {
     const double energy = speed * speed / (2 * inverse_mass);
+    if (curve_.is_given()) return curve_.depth_of(energy);
     if (k_ > 0) {
       return std::pow((n_ + 1) * energy / k_, 1 / (n_ + 1));
     }
@@ -150,6 +157,7 @@ class NaiveLaw {
   }
 
   std::string name_;
+  NaiveCurve curve_;
   bool pulls_;
   double k_ = 0, n_ = 1.5, c_ = 0, loading_ = 0, unloading_ = 0, e_ = 0, r_ = 0, p_ = 0, w_ = 0;
   double s_ = 0, yield_radius_ = infinity, hertz_damping_ = 0, ring_damping_ = 0;
