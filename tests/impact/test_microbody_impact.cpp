@@ -6,6 +6,7 @@
 #include "mariotte/hybrid/simulate.hpp"
 #include "mariotte/impact/microbody/microbody_gate.hpp"
 #include "mariotte/impact/microbody/microbody_solver.hpp"
+#include "support/flow_steps.hpp"
 #include "support/reference_bodies.hpp"
 
 using namespace mariotte;
@@ -85,6 +86,17 @@ BOOST_AUTO_TEST_CASE(a_captured_sphere_comes_to_rest_in_the_well) {
   BOOST_TEST(std::abs(depth / stopped.rest->indentation - 1) < 1e-6);
   BOOST_TEST(norm(rested.final.velocity) < 1e-6 * 0.5);
   BOOST_TEST(lost_share(rested) < 1e-8);
+}
+
+// What rounding makes of its rest bounds the steps of BDF more than those of the series.
+BOOST_AUTO_TEST_CASE(a_sphere_that_rests_for_long_is_left_to_the_series) {
+  auto body = sphere_at(0.5, 0.05, 0.05);
+  body.after_capture = model::AfterCapture::go_on;
+  const auto rested = impact::simulate(body, {.max_time = 2e-3});
+  BOOST_TEST((rested.ending == hybrid::Ending::time_limit));
+  BOOST_TEST(steps(rested, flow::Kind::cvode_bdf_klu) < 3000);
+  BOOST_TEST(steps(rested, flow::Kind::taylor) < 50'000);
+  BOOST_TEST(norm(rested.final.velocity) < 1e-9 * 0.5);
 }
 
 // Adhesion holds and damps these so strongly that they creep to their rest: the sign of the force is
