@@ -5,14 +5,12 @@
 #include <random>
 
 #include "mariotte/contact/tabulated.hpp"
-#include "mariotte/impact/chain/chain_impact.hpp"
-#include "mariotte/impact/network/network_impact.hpp"
 #include "support/driven_rows.hpp"
-#include "support/flow_steps.hpp"
 #include "support/networks.hpp"
-#include "support/reference.hpp"
+#include "support/series_against_adams.hpp"
 
 using namespace mariotte;
+using test::SeriesAgainstAdams;
 
 namespace {
 
@@ -33,31 +31,12 @@ contact::Law random_curve(std::mt19937_64& random, int points) {
   return curve(made);
 }
 
-struct Both {
-  Index series = 0, adams = 0;  ///< steps
-
-  template <class Model>
-  void compare(const Model& model, double accuracy, double max_time = 100) {
-    const auto by = [&](flow::Kind kind, double asked) {
-      return impact::simulate(model, {.accuracy = asked, .max_time = max_time, .flow = kind});
-    };
-    const auto one = by(flow::Kind::taylor, accuracy), two = by(flow::Kind::cvode_adams, 0.1 * accuracy);
-    BOOST_TEST((one.ending == two.ending), one.message << two.message);
-    BOOST_TEST(one.events.size() == two.events.size());
-    BOOST_TEST(test::difference(one.velocity, two.velocity) < accuracy);
-    BOOST_TEST(std::abs(one.energy.residual) < accuracy);
-    BOOST_TEST(test::steps(one, flow::Kind::cvode_adams) == 0);
-    series += test::steps(one, flow::Kind::taylor);
-    adams += test::steps(two, flow::Kind::cvode_adams);
-  }
-};
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(rows_are_those_that_cvode_follows) {
   std::mt19937_64 random(1984);
   std::uniform_real_distribution<double> share(0, 1);
-  Both both;
+  SeriesAgainstAdams both;
   for (int i = 0; i < 60; ++i) {
     const auto contacts = 1 + random() % 6;
     model::Chain row{.mass = {1}, .law = {}, .gap = {}, .velocity = {1}};
@@ -74,7 +53,7 @@ BOOST_AUTO_TEST_CASE(rows_are_those_that_cvode_follows) {
 
 BOOST_AUTO_TEST_CASE(packings_are_those_that_cvode_follows) {
   std::mt19937_64 random(1985);
-  Both both;
+  SeriesAgainstAdams both;
   for (const int points : {1, 5, 30})
     both.compare(test::lattice(4, random, [&](Index, Index) { return random_curve(random, points); }), 1e-9);
   BOOST_TEST(5 * both.series < both.adams);
@@ -89,7 +68,7 @@ BOOST_AUTO_TEST_CASE(driven_rows_are_those_that_cvode_follows) {
                      .velocity = {0, 0, 0, 0},
                      .gravity = gravity};
     row.drive = {test::drive(0, model::Driven::velocity, model::sine(0.5, 1, 0))};
-    Both().compare(row, 1e-10, 4);
+    SeriesAgainstAdams().compare(row, 1e-10, 4);
   }
 }
 

@@ -4,15 +4,13 @@
 #include <random>
 
 #include "mariotte/contact/brach_dunn_law.hpp"
-#include "mariotte/impact/chain/chain_impact.hpp"
-#include "mariotte/impact/network/network_impact.hpp"
-#include "support/flow_steps.hpp"
 #include "support/networks.hpp"
-#include "support/reference.hpp"
 #include "support/reference_laws.hpp"
+#include "support/series_against_adams.hpp"
 
 using namespace mariotte;
 using hybrid::Ending;
+using test::SeriesAgainstAdams;
 
 namespace {
 
@@ -21,31 +19,12 @@ contact::Law ring(double work, double damping_hertz, double damping_adhesion) {
   return contact::state(contact::BrachDunnLaw(0.75, 1, work, damping_hertz, damping_adhesion));
 }
 
-struct Both {
-  Index series = 0, adams = 0;  ///< steps
-
-  template <class Model>
-  void compare(const Model& model, double accuracy) {
-    const auto by = [&](flow::Kind kind) {
-      return impact::simulate(model, {.accuracy = accuracy, .max_time = 40, .flow = kind});
-    };
-    const auto one = by(flow::Kind::taylor), two = by(flow::Kind::cvode_adams);
-    BOOST_TEST((one.ending == two.ending), one.message << two.message);
-    BOOST_TEST(one.events.size() == two.events.size());
-    BOOST_TEST(test::difference(one.velocity, two.velocity) < accuracy);
-    BOOST_TEST(std::abs(one.energy.residual) < accuracy);
-    BOOST_TEST(test::steps(one, flow::Kind::cvode_adams) == 0);
-    series += test::steps(one, flow::Kind::taylor);
-    adams += test::steps(two, flow::Kind::cvode_adams);
-  }
-};
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(rows_are_those_that_cvode_follows) {
   std::mt19937_64 random(1971);
   std::uniform_real_distribution<double> share(0, 1);
-  Both both;
+  SeriesAgainstAdams both;
   for (int i = 0; i < 60; ++i) {
     const auto contacts = 1 + random() % 5;
     model::Chain row{.mass = {1}, .law = {}, .gap = {}, .velocity = {1}};
@@ -63,7 +42,7 @@ BOOST_AUTO_TEST_CASE(rows_are_those_that_cvode_follows) {
 
 BOOST_AUTO_TEST_CASE(packings_are_those_that_cvode_follows) {
   std::mt19937_64 random(1972);
-  Both both;
+  SeriesAgainstAdams both;
   for (const double damping : {0.0, 0.4}) {
     auto network = test::lattice(4, random, [&](Index, Index) { return ring(1e-3, damping, damping); });
     for (double& gap : network.gap) gap += 0.1;
@@ -86,7 +65,7 @@ BOOST_AUTO_TEST_CASE(rings_stand_beside_other_laws) {
                              .law = {ring(1e-3, damping, 0), other, ring(1e-2, 0, damping)},
                              .gap = {0.1, 0.2, 0.3},
                              .velocity = {1, 0, 0, -1}};
-      Both().compare(row, 1e-10);
+      SeriesAgainstAdams().compare(row, 1e-10);
     }
 }
 
