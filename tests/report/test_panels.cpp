@@ -44,6 +44,22 @@ BOOST_AUTO_TEST_CASE(forces_of_many_impacts_far_apart_are_those_of_the_strongest
   BOOST_TEST(action.strongest[1].start > 4e-3);
 }
 
+BOOST_AUTO_TEST_CASE(forces_of_brief_impacts_are_drawn_apart_from_what_pushes_all_the_while) {
+  auto trace = trace_of(2);
+  trace.time = {0, 1, 1.00001, 1.00002, 2, 3};
+  trace.velocity.assign(6, {1, 0});
+  trace.gap.assign(6, {0});
+  trace.force = {{2}, {2}, {500}, {2}, {2}, {2}};
+  const auto action = report::action_of(trace);
+  BOOST_TEST(action.windows.front().end == 3);
+  BOOST_TEST_REQUIRE(action.strongest.size() == 1u);
+  BOOST_TEST(action.strongest[0].start > 0.99);
+  BOOST_TEST(action.strongest[0].end < 1.01);
+  const auto script = script_of(trace);
+  BOOST_TEST(count(script, "set label 'time t [s]: where forces are strong'") == terminals);
+  BOOST_TEST(count(script, "set label 'time t [s]'") == terminals);
+}
+
 BOOST_AUTO_TEST_CASE(a_window_of_ones_own_is_shown) {
   impact::ChainImpact impact;
   impact.trace = trace_of(3);

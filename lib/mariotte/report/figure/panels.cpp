@@ -67,11 +67,11 @@ std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double wid
 
 /// Title, and the name of the time axis below the middle of all panels.
 std::string words_of_sheet(const Title& title, const TimeAxis& axis, const std::vector<Panel>& panels) {
-  const auto note = panels.size() > 1 ? axis.note : "";
   return fmt::format(
       "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]{}' at screen {:.4f}, {} "
       "center\n",
-      title.text, axis.display.unit, note, 0.5 * (panels.front().left + panels.back().right), name_of_time);
+      title.text, axis.display.unit, axis.note, 0.5 * (panels.front().left + panels.back().right),
+      name_of_time);
 }
 
 }  // namespace

@@ -98,7 +98,10 @@ TimeAxis time_axis(const Action& action, std::vector<impact::Event> events, cons
     axis.is_chosen = true;
   } else if (!action.strongest.empty()) {
     axis.strongest = action.strongest;
-    axis.note = fmt::format(": {} strongest of {} impacts", action.strongest.size(), action.impacts);
+    axis.about_strongest =
+        action.strongest.size() == action.impacts
+            ? ": where forces are strong"
+            : fmt::format(": {} strongest of {} impacts", action.strongest.size(), action.impacts);
   }
   axis.display = display_for(std::vector{axis.windows.back().end}, "s");
   return axis;
@@ -108,6 +111,7 @@ TimeAxis axis_of_forces(const TimeAxis& axis) {
   if (axis.strongest.empty()) return axis;
   auto own = axis;
   own.windows = axis.strongest;
+  own.note = axis.about_strongest;
   own.display = display_for(std::vector{own.windows.back().end}, "s");
   return own;
 }

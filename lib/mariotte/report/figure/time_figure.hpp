@@ -41,6 +41,7 @@ struct TimeAxis {
   std::vector<impact::Event> events;
   bool is_chosen = false;              ///< by a user, who wants to see nothing else
   std::vector<Window> strongest = {};  ///< those that forces are drawn in, if not in all
+  std::string about_strongest = {};    ///< the note there
   std::string note = {};               ///< behind the name of the axis
 };
 

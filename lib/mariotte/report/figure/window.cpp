@@ -7,6 +7,8 @@ namespace mariotte::report {
 namespace {
 
 constexpr double visible = 1e-3, visible_in_image = 1e-2;  // of the largest force
+constexpr double strong = 0.05;                            // likewise, beside what pushes all the while
+constexpr double brief = 0.02;                             // of all the action
 constexpr double long_flight = 3;  // in durations of all the action, or of its longest
 constexpr std::size_t most_windows = 3;
 constexpr double margin = 0.1;  // of what is shown
@@ -72,19 +74,28 @@ std::vector<Window> strongest(std::vector<Window> all, const std::vector<double>
   };
   std::stable_sort(all.begin(), all.end(),
                    [&](const Window& a, const Window& b) { return peak(a) > peak(b); });
-  all.resize(most_windows);
+  all.resize(std::min(all.size(), most_windows));
   std::sort(all.begin(), all.end(), [](const Window& a, const Window& b) { return a.start < b.start; });
   return all;
+}
+
+/// Those far apart, and how many they are.
+Action strongest_of(const std::vector<Window>& parts, Window whole, const std::vector<double>& time,
+                    const std::vector<double>& force) {
+  const auto impacts = joined(parts, long_flight * longest(parts));
+  return {widened({whole}, time), widened(strongest(impacts, time, force), time), impacts.size()};
 }
 
 Action action(const std::vector<double>& time, const std::vector<double>& force, double least = visible) {
   const auto parts = stretches(time, force, least * largest(force));
   const auto all = joined(parts, long_flight * duration(parts));
   if (duration(all) == 0) return {.windows = {{time.front(), time.back()}}, .strongest = {}};
-  if (all.size() <= most_windows) return {widened(all, time), {}, all.size()};
-  const auto impacts = joined(parts, long_flight * longest(parts));
-  return {widened({{all.front().start, all.back().end}}, time),
-          widened(strongest(impacts, time, force), time), impacts.size()};
+  const Window whole{all.front().start, all.back().end};
+  if (all.size() > most_windows) return strongest_of(parts, whole, time, force);
+  const auto pulses = stretches(time, force, strong * largest(force));
+  if (all.size() == 1 && duration(pulses) < brief * duration(all))
+    return strongest_of(pulses, whole, time, force);
+  return {widened(all, time), {}, all.size()};
 }
 
 }  // namespace

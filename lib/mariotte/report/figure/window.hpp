@@ -20,14 +20,16 @@ struct Window {
 
 /// Where forces can be seen.
 struct Action {
-  std::vector<Window> windows;    ///< one, or up to three
-  std::vector<Window> strongest;  ///< of more than three the ones with the largest forces, else none
-  std::size_t impacts = 1;        ///< so many are far apart
+  std::vector<Window> windows;  ///< one, or up to three
+  std::vector<Window>
+      strongest;            ///< up to three of many, or of brief ones, with the largest forces, else none
+  std::size_t impacts = 1;  ///< so many are far apart
 };
 
 /// Windows lie beside each other where flights between them last several times longer than all that happens;
-/// more than three are one. Faint late contacts, below a thousandth of the largest force (in images, which
-/// show no more, a hundredth), and a long flight before the first contact are left out.
+/// more than three are one. So is what pushes all the while, beside a few brief impacts. Faint late contacts,
+/// below a thousandth of the largest force (in images, which show no more, a hundredth), and a long flight
+/// before the first contact are left out.
 Action action_of(const impact::Trace& trace);
 Action action_of(const impact::BodyTrace& trace);
 Action action_of(const impact::BodiesTrace& trace);
