@@ -1,4 +1,5 @@
 // What Python sees of an impact.
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@
 #include "mariotte/report/figure/energy_plot.hpp"
 #include "mariotte/report/json/json.hpp"
 #include "mariotte/report/json/json_parts.hpp"
+#include "mariotte/report/json/json_stream.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/page/html.hpp"
 #include "mariotte/report/reason.hpp"
@@ -134,6 +136,20 @@ report::Attributes origin(const Impact& impact) {
   return attributes;
 }
 
+/// As the command prints it, with these members besides.
+std::string text_of(const Impact& impact, report::Json more) {
+  more["provenance"] = provenance(impact.box());
+  more["provenance"]["run"] = report::options(impact.options());
+  std::string all;
+  report::JsonStream stream([&](std::string_view piece) { all += piece; });
+  std::visit([&](const auto& one) { report::write(stream, one, impact.scene(), more); }, impact.whole());
+  return all;
+}
+
+void save_json(const Impact& impact, const std::string& path) {
+  report::write_file(path, text_of(impact, {{"scene_text", impact.box().text}}));
+}
+
 /// All samples of a step each, as the command writes them, and beside them what they are.
 void save_csv(const Impact& impact, const std::string& path) {
   const auto trace = report::trace_text(simulate(impact.box(), impact.options(), {.trace = true}));
@@ -183,8 +199,10 @@ py::tuple energy_course(const Impact& impact) {
 }
 
 std::string to_cite(const Impact& impact) {
-  const auto result =
+  auto result =
       std::visit([&](const auto& one) { return report::json(one, impact.scene()); }, impact.whole());
+  if (const auto& laws = impact.box().own_laws; !laws.empty())
+    result["provenance"]["scene_sha256"] = fmt::format("with the law {}", fmt::join(laws, ", "));
   return report::to_cite(result);
 }
 
@@ -206,17 +224,15 @@ void add_impact(py::module_& module) {
       .def_property_readonly("time", &time)
       .def_property_readonly("warnings", &Impact::warnings)
       .def("number", &number, py::arg("key"))
-      .def("json", [](const Impact& impact) { return report::json_text(impact.whole(), impact.scene()); })
+      .def("json", [](const Impact& impact) { return text_of(impact, report::Json::object()); })
       .def("sample", &sample_at, py::arg("times"))
       .def("steps", &steps_of)
       .def("energy_course", &energy_course)
+      .def("save_json", &save_json, py::arg("path"))
       .def("save_csv", &save_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>())
       .def("save_hdf5", &save_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>())
       .def("to_cite", &to_cite)
       .def("table", [](const Impact& impact) { return report::table_text(impact.whole(), impact.scene()); });
-  module.def(
-      "write_file", [](const std::string& path, const std::string& text) { report::write_file(path, text); },
-      py::arg("path"), py::arg("text"));
   module.def("simulate", &simulate_scene, py::arg("scene"), py::arg("accuracy"), py::arg("until"),
              py::arg("max_time"), py::arg("max_events"), py::arg("flow"), py::arg("estimate"));
 }

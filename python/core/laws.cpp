@@ -1,4 +1,5 @@
 // Impact laws on plain numbers, and contact laws from outside.
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -86,6 +87,12 @@ class ForeignLaw final : public contact::CustomLaw {
   std::shared_ptr<const void> owner_;
 };
 
+/// "cone at contacts 1, 3", of contacts from 0.
+std::string law_at(const std::string& name, std::vector<Index> contacts) {
+  for (auto& j : contacts) ++j;
+  return fmt::format("{} at contact{} {}", name, contacts.size() == 1 ? "" : "s", fmt::join(contacts, ", "));
+}
+
 /// The scene with this law at the contacts, from 0.
 SharedScene with_law(const SceneBox& box, const std::string& name, std::uintptr_t force,
                      std::uintptr_t energy, bool dissipates, const std::vector<Index>& contacts,
@@ -101,7 +108,8 @@ SharedScene with_law(const SceneBox& box, const std::string& name, std::uintptr_
     if (j < 0 || j >= std::ssize(laws)) throw py::index_error("no contact " + std::to_string(j));
     laws[static_cast<std::size_t>(j)] = law;
   }
-  made->foreign = true;
+  made->own_laws.push_back(law_at(name, contacts));
+  made->scene.sha256.clear();  // that of another scene
   return made;
 }
 

@@ -96,7 +96,7 @@ void add_scene(py::module_& module) {
       .def_property_readonly("warnings", [](const SceneBox& box) { return box.scene.warnings; })
       .def_property_readonly("sha256", [](const SceneBox& box) { return box.scene.sha256; })
       .def_property_readonly("accuracy", [](const SceneBox& box) { return box.scene.run.accuracy; })
-      .def_readonly("foreign", &SceneBox::foreign)
+      .def_property_readonly("foreign", [](const SceneBox& box) { return !box.own_laws.empty(); })
       .def_property_readonly("mass", &mass)
       .def_property_readonly("velocity", &start_velocity)
       .def_property_readonly("position", &of_bodies<&model::Body::position>)

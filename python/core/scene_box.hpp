@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mariotte/report/attributes.hpp"
 #include "mariotte/scene/document.hpp"
@@ -13,10 +14,12 @@ struct SceneBox {
   scene::Overrides overrides;
   scene::Document document;
   scene::Scene scene;
-  bool foreign = false;  ///< has contact laws that no text can say
+  std::vector<std::string> own_laws = {};  ///< contact laws that no text can say, with their contacts
 };
 
-/// Where files of its numbers come from, as those of the command tell it.
+/// Where its numbers come from, as the command tells it, and laws that its text lacks.
+report::Json provenance(const SceneBox& box);
+/// The same with the text, for files that are no JSON.
 report::Attributes origin(const SceneBox& box);
 
 using SharedScene = std::shared_ptr<const SceneBox>;

@@ -171,10 +171,9 @@ class Impact:
     def save(self, path: Path) -> None:
         """Write the result as the command does: all of it as JSON if the name ends in .json, the trace, one row per
         step, if in .csv, .h5 or .hdf5. Beside a CSV its name with ``-metadata.json`` tells where it comes from, with
-        unit and meaning of each column."""
+        unit and meaning of each column. A file of this name is replaced."""
         run = self._run
-        save(path, {".json": lambda name: _core.write_file(name, run.json()), ".csv": run.save_csv,
-                    ".h5": run.save_hdf5, ".hdf5": run.save_hdf5})
+        save(path, {".json": run.save_json, ".csv": run.save_csv, ".h5": run.save_hdf5, ".hdf5": run.save_hdf5})
 
     def cite(self) -> str:
         """What to cite, as BibTeX: this version of mariotte with this scene, and the papers of the model.

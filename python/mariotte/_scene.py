@@ -84,7 +84,8 @@ class Scene(Generic[Result]):
 
     @property
     def sha256(self) -> str:
-        """Of the text and what was replaced in it; results of the command record the same."""
+        """Of the text and what was replaced in it; results of the command record the same. Empty if a contact law of
+        your own is part of the scene."""
         return self._box.sha256
 
     def json(self) -> Dict[str, Any]:
@@ -123,7 +124,7 @@ class Scene(Generic[Result]):
     def _expect_text(self) -> None:
         if self._box.foreign:
             raise TypeError("no text says what a contact law of your own is: this scene cannot be changed, "
-                            "swept or sent to other processes")
+                            "swept, fitted or sent to other processes")
 
     def __repr__(self) -> str:
         return f"<mariotte.{type(self).__name__} {self.title or self._box.name!r}>"

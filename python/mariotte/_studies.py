@@ -63,6 +63,7 @@ def capture_velocity(body: Scene[Any], *, tolerance: float = 1e-9) -> CaptureVel
     >>> round(mt.capture_velocity(sphere).value, 6)
     1.310359
     """
+    body._expect_text()
     return CaptureVelocity(*_core.capture_velocity(body._box, number(tolerance, "tolerance")))
 
 
@@ -181,6 +182,7 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
     >>> round(found.values["surface.damping_hertz"], 9)
     0.002
     """
+    scene._expect_text()
     if isinstance(data, Mapping):
         text, name = _csv(data).encode(), "<data>"
     else:

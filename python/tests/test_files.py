@@ -16,7 +16,17 @@ def test_files_are_those_of_the_command(command, tmp_path, triplet):
     hit.save(tmp_path / "trace.csv")
     hit.save(tmp_path / "result.json")
     assert (tmp_path / "trace.csv").read_text() == (tmp_path / "there" / "trace.csv").read_text()
-    assert json.loads((tmp_path / "result.json").read_text()) == hit.json()
+    saved, there = (json.loads(path.read_text()) for path in (tmp_path / "result.json", tmp_path / "there/result.json"))
+    assert saved.pop("scene_text") == there["scene_text"] and saved == hit.json()
+
+
+def test_json_says_what_it_takes_to_run_again(tmp_path, triplet):
+    moved = triplet.replace({"velocity[0]": 2.0})
+    mt.simulate(moved, accuracy=1e-7).save(tmp_path / "hit.json")
+    saved = json.loads((tmp_path / "hit.json").read_text())
+    origin = saved["provenance"]
+    assert (origin["scene"], origin["overrides"], origin["scene_sha256"]) == ("<Chain>", moved.overrides, moved.sha256)
+    assert saved["scene_text"] == moved.text and origin["run"]["accuracy"] == 1e-7
 
 
 def test_a_trace_as_csv_has_its_units_and_origin_beside_it(tmp_path, triplet):
@@ -28,7 +38,7 @@ def test_a_trace_as_csv_has_its_units_and_origin_beside_it(tmp_path, triplet):
     assert (columns["v3"]["schema:unitText"], columns["v3"]["dc:description"]) == ("m/s", "velocity of the ball")
     (origin,) = about["notes"]
     assert origin["scene_sha256"] == moved.sha256 and "chain.velocity[0]=2.0" in origin["overrides"]
-    assert json.loads(origin["run"])["accuracy"] == 1e-7
+    assert json.loads(origin["run"])["accuracy"] == 1e-7 and origin["scene_text"] == moved.text
 
 
 def test_columns_of_a_body_have_units(tmp_path):
@@ -67,7 +77,8 @@ def test_hdf5_says_where_it_comes_from(name, tmp_path, triplet):
         mt.sweep(moved, {"velocity[1]": [0, -1]}, columns="time").save(tmp_path / f"sweep_{name}")
     except mt.FileError as error:
         pytest.skip(str(error))
-    words = ["scene_sha256", moved.sha256, "overrides", "chain.velocity[0]=2.0", "sundials", "compiler", mt.__version__]
+    words = ["scene_sha256", moved.sha256, "overrides", "chain.velocity[0]=2.0", "sundials", "compiler", mt.__version__,
+             "scene_text", moved.text]
     for kind, more in (("run", ['"accuracy":1e-07']), ("sweep", [])):
         text = (tmp_path / f"{kind}_{name}").read_bytes()
         assert text.startswith(b"\x89HDF") and [word for word in words + more if word.encode() not in text] == []

@@ -2,6 +2,7 @@
 
 import ctypes
 import gc
+import json
 import math
 import shutil
 import signal
@@ -176,11 +177,24 @@ def test_a_law_in_c_keeps_its_balances(compiled):
 
 def test_a_scene_with_a_law_of_c_stays_here(compiled, triplet):
     own = mt.with_law(triplet, force=compiled.cone, stored_energy=compiled.energy, contacts=[1])
-    for use in (own.__reduce__, lambda: own.replace({"chain.velocity[0]": 2}), lambda: mt.sweep(own, {"radius": [1]})):
+    for use in (own.__reduce__, lambda: own.replace({"chain.velocity[0]": 2}), lambda: mt.sweep(own, {"radius": [1]}),
+                lambda: mt.capture_velocity(own), lambda: mt.fit(own, {"speed": [1], "restitution": [1]})):
         with pytest.raises(TypeError, match="contact law of your own"):
             use()
     with pytest.raises(IndexError):
         mt.with_law(triplet, force=compiled.cone, stored_energy=compiled.energy, contacts=[2])
+
+
+def test_files_name_a_law_of_ones_own(compiled, triplet, tmp_path):
+    own = mt.with_law(triplet, force=compiled.cone, stored_energy=compiled.energy, name="cone", contacts=[1])
+    hit = mt.simulate(own)
+    for name in ("hit.json", "hit.csv"):
+        hit.save(tmp_path / name)
+    origin = json.loads((tmp_path / "hit.json").read_text())["provenance"]
+    assert origin["own_laws"] == ["cone at contact 2"] and origin["scene_sha256"] is None and own.sha256 == ""
+    beside = json.loads((tmp_path / "hit.csv-metadata.json").read_text())["notes"][0]
+    assert beside["own_laws"] == "cone at contact 2" and "scene_sha256" not in beside
+    assert "scene with the law cone at contact 2" in hit.cite() and triplet.sha256 not in hit.cite()
 
 
 def test_laws_of_a_scene_outlive_the_scenes_it_was_made_from():

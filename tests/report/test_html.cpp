@@ -252,4 +252,6 @@ BOOST_AUTO_TEST_CASE(the_command_repeats_the_run) {
   BOOST_TEST(report::repeating_command(result) ==
              "mariotte run 'it'\\''s.toml' --set 'chain.velocity[0]=2 m/s'");
   BOOST_TEST(report::repeating_command(Json::object()) == "");
+  const Json of_python = {{"provenance", {{"scene", "<Chain>"}, {"run", {{"accuracy", 1e-6}}}}}};
+  BOOST_TEST(report::repeating_command(of_python) == "");
 }

@@ -183,7 +183,8 @@ std::string to_cite(const Json& result) {
 
 std::string repeating_command(const Json& result) {
   const auto provenance = result.value("provenance", Json::object());
-  if (!provenance.contains("scene")) return "";
+  const bool is_of_python = provenance.contains("run");
+  if (!provenance.contains("scene") || is_of_python) return "";
   const auto scene = shell_quoted(inline_text(provenance["scene"]));
   const bool is_sweep = provenance.contains("columns");
   auto command = is_sweep ? "mariotte sweep " + scene + " --out again" : "mariotte run " + scene;

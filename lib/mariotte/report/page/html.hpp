@@ -18,7 +18,8 @@ struct Picture {
 /// command that repeats the run, and what to cite.
 std::string html(const Json& result, const std::vector<Picture>& pictures, const Json& motion = {});
 
-/// The command that repeats a run or a sweep, from its result; empty if the result does not know its scene.
+/// The command that repeats a run or a sweep, from its result; empty if the result does not know its scene,
+/// or if it is of Python.
 std::string repeating_command(const Json& result);
 
 /// What to cite, as BibTeX: this version of the program, with the scene, and the papers of the result's
