@@ -27,6 +27,8 @@ using scene::Place;
 /// One key, its values, and whether it moves along with the one before.
 using Axis = std::tuple<std::string, py::list, bool>;
 
+using Endings = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+
 constexpr auto last_ending = static_cast<std::uint8_t>(hybrid::Ending::failed);
 
 /// As the numbers of mariotte.Ending; "rejected" is one more.
@@ -56,6 +58,16 @@ class Sweep {
     run(
         plan_, all, threads, [&]() -> study::Keep { return [&](const auto& batch) { keep(batch); }; },
         [interruption = Interruption()](const study::Progress&) mutable { return interruption(), true; });
+  }
+
+  /// What another one has computed.
+  void put(std::vector<double> table, std::vector<std::uint8_t> ending,
+           std::map<Index, std::string> reasons) {
+    if (table.size() != table_.size() || ending.size() != ending_.size())
+      throw py::value_error("a sweep of another version of mariotte, which has other columns");
+    table_ = std::move(table);
+    ending_ = std::move(ending);
+    reasons_ = std::move(reasons);
   }
 
   /// The rows, as the command writes them, some thousand at a time.
@@ -134,15 +146,32 @@ void put_axes(scene::Document& document, const std::vector<Axis>& axes) {
   root.push_back({"sweep", place, {std::move(tables), place}});
 }
 
-std::unique_ptr<Sweep> sweep(const SceneBox& box, const std::vector<Axis>& axes,
-                             const std::vector<std::string>& columns, int threads) {
+/// Without numbers; called with the lock.
+std::unique_ptr<Sweep> planned(const SceneBox& box, const std::vector<Axis>& axes,
+                               const std::vector<std::string>& columns) {
   auto document = box.document;
   put_axes(document, axes);
   if (!axes.empty() && !columns.empty())  // the scene's own may be of its own variables
     std::erase_if(*document.tree.table(), [](const scene::Entry& entry) { return entry.key == "columns"; });
   const py::gil_scoped_release unlocked;
-  auto made = std::make_unique<Sweep>(study::read_sweep(std::move(document), columns), origin(box));
+  return std::make_unique<Sweep>(study::read_sweep(std::move(document), columns), origin(box));
+}
+
+std::unique_ptr<Sweep> sweep(const SceneBox& box, const std::vector<Axis>& axes,
+                             const std::vector<std::string>& columns, int threads) {
+  auto made = planned(box, axes, columns);
+  const py::gil_scoped_release unlocked;
   made->compute(threads);
+  return made;
+}
+
+/// One that was computed elsewhere.
+std::unique_ptr<Sweep> restored_sweep(const SceneBox& box, const std::vector<Axis>& axes,
+                                      const std::vector<std::string>& columns, const Numbers& table,
+                                      const Endings& ending, std::map<Index, std::string> reasons) {
+  auto made = planned(box, axes, columns);
+  made->put({table.data(), table.data() + table.size()}, {ending.data(), ending.data() + ending.size()},
+            std::move(reasons));
   return made;
 }
 
@@ -232,6 +261,8 @@ void add_sweep(py::module_& module) {
       .def("save_csv", &save_sweep_csv, py::arg("path"), py::call_guard<py::gil_scoped_release>())
       .def("save_hdf5", &save_sweep_hdf5, py::arg("path"), py::call_guard<py::gil_scoped_release>());
   module.def("sweep", &sweep, py::arg("scene"), py::arg("axes"), py::arg("columns"), py::arg("threads"));
+  module.def("restored_sweep", &restored_sweep, py::arg("scene"), py::arg("axes"), py::arg("columns"),
+             py::arg("table"), py::arg("ending"), py::arg("reasons"));
 }
 
 }  // namespace mariotte::python

@@ -146,6 +146,10 @@ class Sweep:
     def save_hdf5(self, path: str) -> None: ...
 
 def sweep(scene: Scene, axes: List[Tuple[str, List[object], bool]], columns: List[str], threads: int) -> Sweep: ...
+def restored_sweep(
+    scene: Scene, axes: List[Tuple[str, List[object], bool]], columns: List[str], table: _Array,
+    ending: npt.NDArray[np.uint8], reasons: Dict[int, str]
+) -> Sweep: ...
 def solve(
     rows: int, mass: _Array, stiffness: _Array, velocity: _Array, gap: _Array, damping: _Array, law: str,
     exponent: Optional[float], accuracy: float, threads: int

@@ -18,6 +18,7 @@ from ._numbers import Array, Numbers, counted, number, numbers
 from ._scene import Chain, Path, Scene
 from ._toml import plain
 
+_Asked = Tuple[List[Tuple[str, List[Any], bool]], List[str]]  # axes and columns, as the scene would say them
 Axes = Mapping[Union[str, Tuple[str, ...]], Any]
 Endings = npt.NDArray[np.uint8]
 _NO_ELEMENT = "S017"  # the code of a key that leads nowhere
@@ -28,12 +29,13 @@ class Sweep(Mapping[str, Array]):
     for several numbers.
 
     Columns are views of one table with a row per point, read-only. Where a point has no number stands nan; `ending`
-    and `reasons` say why.
+    and `reasons` say why. A sweep is pickled with its numbers.
     """
 
-    def __init__(self, scene: Scene[Any], run: _core.Sweep) -> None:
+    def __init__(self, scene: Scene[Any], run: _core.Sweep, asked: _Asked) -> None:
         self.scene = scene
         self._run = run
+        self._asked = asked
 
     @property
     def shape(self) -> Tuple[int, ...]:
@@ -102,7 +104,8 @@ class Sweep(Mapping[str, Array]):
         return f"<mariotte.Sweep of {' × '.join(map(str, self.shape))} {things}: {', '.join(self)}>"
 
     def save(self, path: Path) -> None:
-        """Write all points as the command does: as CSV if the name ends in .csv, as HDF5 if in .h5 or .hdf5."""
+        """Write all points as the command does: as CSV if the name ends in .csv, as HDF5 if in .h5 or .hdf5. A file of
+        this name is replaced."""
         save(path, {".csv": self._run.save_csv, ".h5": self._run.save_hdf5, ".hdf5": self._run.save_hdf5})
 
     @property
@@ -118,11 +121,14 @@ class Sweep(Mapping[str, Array]):
         keys = list(self)
         return [keys[place] for place in self._matches(column)]
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _restored, (self.scene, self._asked, self.table, self._run.ending, self.reasons)
+
     def _matches(self, column: str) -> Dict[int, Tuple[int, ...]]:
         return matches(key_of_result(self.scene, column), self)
 
 
-def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str, Sequence[str]] = (),
+def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str, Sequence[str], None] = None,
           accuracy: Optional[float] = None, threads: Optional[int] = None) -> Sweep:
     """Simulate a scene for all values of some of its keys.
 
@@ -176,11 +182,14 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
     listed = _axes(scene, axes or {})
     if isinstance(scene, Chain):
         scene = _with_elements(scene, [key for key, _, _ in listed if key.startswith("chain.gap[")])
-    keys = [key_of_result(scene, column) for column in names(columns)]
-    made = _core.sweep(scene._box, listed, keys, _workers(threads))
-    grid = Sweep(scene, made)
+    keys = [key_of_result(scene, column) for column in names(() if columns is None else columns)]
+    grid = Sweep(scene, _core.sweep(scene._box, listed, keys, _workers(threads)), (listed, keys))
     warn(grid.warnings)
     return grid
+
+
+def _restored(scene: Scene[Any], asked: _Asked, table: Array, ending: Endings, reasons: Dict[int, str]) -> Sweep:
+    return Sweep(scene, _core.restored_sweep(scene._box, *asked, table, ending, reasons), asked)
 
 
 def _with_elements(scene: Chain, gaps: Sequence[str]) -> Chain:

@@ -1,6 +1,8 @@
 """Sweeps in memory: the numbers of the command, as views of one table."""
 
+import copy
 import csv
+import pickle
 import signal
 
 import numpy as np
@@ -50,6 +52,29 @@ def test_rows_are_those_of_the_command(command, tmp_path):
     assert (tmp_path / "here.csv").read_bytes() == (tmp_path / "map" / "sweep.csv").read_bytes()
     rows = list(csv.DictReader((tmp_path / "here.csv").open()))
     assert [float(row["icr[0]"]) for row in rows] == grid["icr[0]"].ravel().tolist()
+
+
+@pytest.mark.parametrize("again", [lambda grid: pickle.loads(pickle.dumps(grid)), copy.copy, copy.deepcopy])
+def test_sweeps_are_pickled_with_their_numbers(again, triplet, tmp_path):
+    axes = {("velocity[0]", "gap[1]"): ([1, 2], [0, 1e-6]), "law": ["hertz", "linear"]}
+    grid = mt.sweep(triplet, axes, columns=["velocity", "half = icr[0] / 2"], accuracy=1e-6)
+    other = again(grid)
+    assert np.array_equal(other.table, grid.table, equal_nan=True) and np.array_equal(other.ending, grid.ending)
+    assert other.reasons == grid.reasons != {} and list(other) == list(grid) and other.shape == grid.shape
+    for one, name in ((grid, "grid.csv"), (other, "other.csv")):
+        one.save(tmp_path / name)
+    assert (tmp_path / "grid.csv").read_text() == (tmp_path / "other.csv").read_text()
+
+
+def test_numbers_of_other_columns_are_no_sweep(triplet):
+    make, (scene, asked, table, ending, reasons) = mt.sweep(triplet, {"velocity[0]": [1]}).__reduce__()
+    with pytest.raises(ValueError, match="another version"):
+        make(scene, asked, table[:, 1:], ending, reasons)
+
+
+def test_columns_may_be_left_to_the_sweep(triplet):
+    axes = {"velocity[0]": [1]}
+    assert list(mt.sweep(triplet, axes, columns=None)) == list(mt.sweep(triplet, axes, columns=[]))
 
 
 def test_keys_may_move_together(triplet):
