@@ -70,14 +70,13 @@ double time(const Impact& impact) {
 
 /// Refuses an index for which this result has nothing, and [*], which stands for several numbers.
 template <class Model>
-void expect_indices(const std::string& text, const impact::Entry<Model>& entry, const Model& whole) {
-  for (std::size_t level = 0; entry.has_index(level); ++level) {
-    const auto& array = *entry.arrays[level];
-    const auto count = array.count(whole, entry.at).value_or(0);
-    if (entry.at[level] >= 0 && entry.at[level] < count) continue;
-    throw py::key_error(text + " is no number of this result: it has " + std::to_string(count) + " of " +
-                        std::string(array.is.key) + ", counted from 0");
-  }
+void expect_index(const std::string& text, const impact::Entry<Model>& entry, std::size_t level,
+                  const Model& whole) {
+  const auto& array = *entry.arrays[level];
+  const auto count = array.count(whole, entry.at).value_or(0);
+  if (entry.at[level] >= 0 && entry.at[level] < count) return;
+  throw py::key_error(text + " is no number of this result: it has " + std::to_string(count) + " of " +
+                      std::string(array.is.key) + ", counted from 0");
 }
 
 /// What a sweep says of a column that it does not know, with the nearest known one.
@@ -90,16 +89,36 @@ void expect_indices(const std::string& text, const impact::Entry<Model>& entry, 
   throw py::key_error(text + " is no number of this result");
 }
 
-/// One number of the result by its key.
-double number(const Impact& impact, const std::string& text) {
+/// `look` at the entry of a key in the result.
+template <class Look>
+auto at_entry(const Impact& impact, const std::string& text, Look look) {
   const auto key = impact::parse_key(text);
   const auto look_up = [&]<class Model>(const Model& whole) {
     const auto entry = key ? impact::find_entry<Model>(*key) : std::nullopt;
     if (!entry) refuse(impact, text);
-    expect_indices(text, *entry, whole);
-    return impact::number(*entry, whole);
+    return look(*entry, whole);
   };
   return std::visit(look_up, impact.whole());
+}
+
+/// One number of the result by its key.
+double number(const Impact& impact, const std::string& text) {
+  return at_entry(impact, text, [&](const auto& entry, const auto& whole) {
+    for (std::size_t level = 0; entry.has_index(level); ++level) expect_index(text, entry, level, whole);
+    return impact::number(entry, whole);
+  });
+}
+
+/// The keys of this result that the first [*] of one stands for.
+std::vector<std::string> keys(const Impact& impact, const std::string& pattern) {
+  return at_entry(impact, pattern, [&](const auto& entry, const auto& whole) {
+    std::size_t level = 0;
+    for (; entry.at[level] != impact::every_index; ++level) expect_index(pattern, entry, level, whole);
+    std::vector<std::string> all(entry.arrays[level]->count(whole, entry.at).value_or(0), pattern);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i].replace(pattern.find("[*]"), 3, "[" + std::to_string(i) + "]");
+    return all;
+  });
 }
 
 /// Time, velocity, gap, force: a row per sample.
@@ -224,6 +243,7 @@ void add_impact(py::module_& module) {
       .def_property_readonly("time", &time)
       .def_property_readonly("warnings", &Impact::warnings)
       .def("number", &number, py::arg("key"))
+      .def("keys", &keys, py::arg("pattern"))
       .def("json", [](const Impact& impact) { return text_of(impact, report::Json::object()); })
       .def("sample", &sample_at, py::arg("times"))
       .def("steps", &steps_of)

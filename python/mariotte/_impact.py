@@ -8,6 +8,8 @@ import html
 import json
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
+import numpy as np
+
 from . import _core
 from ._columns import key_of_result
 from ._errors import in_python, warn
@@ -189,7 +191,8 @@ class Impact:
 
     def __getitem__(self, key: str) -> Any:
         """A number of the result by the key it has in JSON, in SI units; nan where it is undefined. A name that a sweep
-        takes as a column, as ``velocity``, is that member, and ``velocity[1]`` a number of it.
+        takes as a column, as ``velocity``, is that member, and ``velocity[1]`` a number of it. A key with ``[*]`` is
+        an array of the numbers that it stands for.
 
         Raises
         ------
@@ -206,9 +209,24 @@ class Impact:
         array([0., 1.])
         >>> round(hit["velocity[1]"], 6)
         1.0
+        >>> hit["final.velocity[*]"].round(6)
+        array([0., 1.])
         """
         whole = key_of_result(self.scene, key)
-        return getattr(self, key) if whole != key and key.isidentifier() else self._run.number(whole)
+        if whole != key and key.isidentifier():
+            return getattr(self, key)
+        if hasattr(type(self), key):
+            raise KeyError(f"{key} is no number but a member of results, as in hit.{key}")
+        return self._numbers(whole)
+
+    def _numbers(self, key: str) -> Union[float, Array]:
+        """With an axis per star."""
+        if "[*]" not in key:
+            return self._run.number(key)
+        rows = [self._numbers(one) for one in self._run.keys(key)]
+        if len({np.shape(row) for row in rows}) > 1:
+            raise KeyError(f"{key} stands for rows of different lengths: give the first index")
+        return np.array(rows)
 
     if not TYPE_CHECKING:  # which knows all members
 

@@ -208,12 +208,36 @@ def test_a_key_that_no_result_has_is_a_key_error(triplet):
 
 @pytest.mark.parametrize("key, count", [("contacts[9].peak_force", "2 of contacts[]"), ("icr[1]", "1 of icr[]"),
                                         ("final.velocity[3]", "3 of final.velocity[]"),
-                                        ("events[3].time", "3 of events[]"), ("contacts[*].impulse", "2 of contacts[]"),
+                                        ("events[3].time", "3 of events[]"),
+                                        ("contacts[9].periods[*][0]", "2 of contacts[]"),
                                         ("contacts[0].periods[1][0]", "1 of contacts[].periods[]")])
 def test_an_index_that_a_result_does_not_have_is_a_key_error(key, count, triplet):
     with pytest.raises(KeyError) as caught:
         mt.simulate(triplet)[key]
     assert caught.value.args[0].startswith(key) and f"it has {count}, counted from 0" in caught.value.args[0]
+
+
+def test_keys_with_stars_are_arrays(triplet):
+    hit = mt.simulate(triplet)
+    assert np.array_equal(hit["contacts[*].impulse"], hit.impulse)
+    assert hit["events[*].time"].tolist() == [one.time for one in hit.events]
+    assert np.array_equal(hit["contacts[*].periods[*][0]"], [periods[:, 0] for periods in hit.periods])
+    ball = mt.simulate(mt.load(SCENES / "thrown_rod.toml"))
+    assert np.array_equal(ball["final.bodies[*].velocity[*]"], ball.velocity)
+    with pytest.raises(KeyError, match="no result has 'contacts"):
+        hit["contacts[*].colour"]
+
+
+def test_rows_of_different_lengths_are_no_array():
+    hit = mt.simulate(mt.load(SCENES / "microrod.toml"))
+    with pytest.raises(KeyError, match="rows of different lengths"):
+        hit["events[*].close[*]"]
+
+
+@pytest.mark.parametrize("name", ["ending", "message", "events", "energy"])
+def test_a_member_that_is_no_number_is_named(name, triplet):
+    with pytest.raises(KeyError, match=f"{name} is no number but a member of results, as in hit.{name}"):
+        mt.simulate(triplet)[name]
 
 
 @pytest.mark.parametrize("name, hint", [("velocities", "did you mean velocity?"), ("periode", "did you mean periods?"),
