@@ -5,6 +5,7 @@
 
 #include "bindings.hpp"
 #include "interruption.hpp"
+#include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
 #include "mariotte/report/table/fit_report.hpp"
 #include "mariotte/study/capture.hpp"
@@ -66,6 +67,18 @@ std::string sensitivity_of_sum(const SceneBox& box, const std::vector<std::strin
   return json_of(study::sensitivity_of_sum(box.document, box.scene, to, weights, Interruption()));
 }
 
+template <class... Impacts>
+bool any_has(const std::string& text) {
+  const auto key = impact::parse_key(text);
+  return key && (impact::find_entry<Impacts>(*key) || ...);
+}
+
+/// Whether this is the key of a number that results of some model have.
+bool is_of_results(const std::string& key) {
+  return any_has<impact::ChainImpact, impact::NetworkImpact, impact::MicrobodyImpact, impact::BodiesImpact>(
+      key);
+}
+
 bool sweeps_back(const SceneBox& box) {
   return study::sweeps_back(box.scene);
 }
@@ -80,6 +93,7 @@ void add_studies(py::module_& module) {
              py::call_guard<py::gil_scoped_release>());
   module.def("sensitivity_of_sum", &sensitivity_of_sum, py::arg("scene"), py::arg("to"), py::arg("weights"),
              py::call_guard<py::gil_scoped_release>());
+  module.def("is_of_results", &is_of_results, py::arg("key"));
   module.def("sweeps_back", &sweeps_back, py::arg("scene"));
 }
 

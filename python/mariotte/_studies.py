@@ -153,7 +153,8 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
         All that is known; values of the free keys are where the search starts.
     data : path or dict
         A CSV file, or columns of one length by name: ``speed``, ``diameter`` or any key of the scene,
-        ``restitution`` or any other key of the result that was measured, and ``deviation`` if it is known.
+        ``restitution`` or any other key of the result that was measured, and ``deviation`` if it is known. In a dict
+        the name of the model may be left out: ``velocity[0]`` of a chain is ``chain.velocity[0]``, before the impact.
     free : str or sequence of str
         Keys whose values are to be found; the name of the model may be left out, as in ``"damping"`` of a chain.
     confidence : float
@@ -184,7 +185,7 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
     """
     scene._expect_text()
     if isinstance(data, Mapping):
-        text, name = _csv(data).encode(), "<data>"
+        text, name = _csv([(_header(scene, key), column) for key, column in data.items()]).encode(), "<data>"
     else:
         text, name = _core.read_text(os.fspath(data)), os.fspath(data)
     keys = [whole_key(scene._box.kind, key) for key in names(free)]
@@ -202,8 +203,15 @@ def _estimate(
     return Estimate(value, error, lower, upper, start)
 
 
-def _csv(columns: Mapping[str, Column]) -> str:
-    header, cells = zip(*(_cells(name, column) for name, column in columns.items())) if columns else ((), ())
+def _header(scene: Scene[Any], name: str) -> str:
+    """The key of a scene may be short, as those of axes; what stands behind it is a unit."""
+    key, blank, unit = name.strip().partition(" ")
+    known = key in ("speed", "diameter", "deviation", "ending", "reason") or _core.is_of_results(key)
+    return name if known else whole_key(scene._box.kind, key) + blank + unit
+
+
+def _csv(columns: List[Tuple[str, Column]]) -> str:
+    header, cells = zip(*(_cells(name, column) for name, column in columns)) if columns else ((), ())
     lengths = {name: len(column) for name, column in zip(header, cells)}
     if len(set(lengths.values())) > 1:
         raise ValueError(f"columns have different lengths: {lengths}")

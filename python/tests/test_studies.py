@@ -82,6 +82,16 @@ def test_the_model_may_be_left_out_of_a_key_that_is_fitted():
     assert mt.fit(pair, data, free="restitution").values == mt.fit(pair, data, free="chain.restitution").values
 
 
+@pytest.mark.parametrize("short", ["velocity[0]", "velocity[0] [mm/s]"])
+def test_the_model_may_be_left_out_of_a_key_that_was_set(short):
+    pair = mt.load(SCENES / "measured_restitution.toml")
+    data = {short: [0.5, 1.0], "restitution": [0.9, 0.85]}
+    assert list(mt.fit(pair, data, free="restitution").json()["measurements"][0]["settings"]) == ["chain.velocity[0]"]
+    for wrong, why in (("velocty[0]", r"did you mean 'velocity'\?"), ("chain.velocity[0]", "set by another column")):
+        with pytest.raises(mt.SceneError, match=why):
+            mt.fit(pair, {**data, wrong: [0.5, 1.0]}, free="restitution")
+
+
 def test_quantities_are_measurements_too():
     unit = pytest.importorskip("pint").UnitRegistry()
     sphere = mt.load(SCENES / "sphere_fit.toml")
