@@ -9,7 +9,10 @@ from typing import Any, List, Sequence, Tuple
 
 
 def in_python(text: str) -> str:
-    """A message with options of the command by their names in Python: ``replace`` for ``--set``."""
+    """A message with options of the command by their names in Python: ``replace`` for ``--set``, and of a scene that
+    was made by keywords ``run={'until': …}`` for ``'run.until'``."""
+    if re.match(r"<[A-Z]", text):
+        text = re.sub(r"'run\.(until|max_time)'", r"run={'\1': …}", text)
     return re.sub(r"--(set|to|free|flow)\b", lambda flag: flag[1].replace("set", "replace"), text)
 
 

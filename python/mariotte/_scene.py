@@ -341,7 +341,7 @@ def load(path: Path, *, replace: Optional[Mapping[str, Any]] = None) -> Scene[An
 
 
 def parse(text: str, *, name: str = "<text>", replace: Optional[Mapping[str, Any]] = None) -> Scene[Any]:
-    """Read a scene from TOML text; `name` stands for the file in messages.
+    """Read a scene from TOML text; `name` stands for the file, in messages and where tables are looked for beside it.
 
     Examples
     --------

@@ -139,6 +139,16 @@ def test_endings_are_words():
     assert f"{mt.Ending.captured:>10}" == "  captured" and f"{mt.Ending.captured:d}" == "1"
 
 
+def test_keys_of_run_have_the_form_of_python(tmp_path):
+    drive = {"end": "left", "quantity": "force", "signal": "sine", "amplitude": "1 N", "frequency": 1}
+    pair = dict(mass=[1, 1], velocity=[0, 0], law="hertz", stiffness=1)
+    with pytest.raises(mt.SceneError, match=r"it needs run=\{'until': …\} or run=\{'max_time': …\}"):
+        mt.Chain(**pair, drive=drive)
+    text = mt.Chain(**pair, drive=drive, run={"until": "1 s"}).text.split("[run]")[0]
+    with pytest.raises(mt.SceneError, match="it needs 'run.until' or 'run.max_time'"):
+        mt.parse(text)
+
+
 def test_options_have_the_names_of_python(triplet):
     for wrong in (lambda: triplet.replace({"velocty": 1}), lambda: mt.sensitivity(triplet, to="chain.law"),
                   lambda: mt.fit(triplet, {"velocity[0]": [1], "final.velocity[2]": [1]}, free="stiffness")):

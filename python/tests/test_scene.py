@@ -130,6 +130,21 @@ def test_the_title_and_the_law_are_no_keys_of_the_model():
     assert scene.title == "Two balls" and scene.overrides[1:3] == ["law.energy_ratio=0.5", 'chain.law="linear"']
 
 
+def test_tables_of_a_text_are_beside_its_name(tmp_path):
+    (tmp_path / "push.csv").write_text("time [s],force [N]\n0,0\n1,1\n")
+    text = mt.Chain(**PAIR).text + """[run]
+until = 1
+[chain.drive]
+end = "left"
+quantity = "force"
+signal = "table"
+table = "push.csv"
+"""
+    assert mt.simulate(mt.parse(text, name=str(tmp_path / "scene.toml"))).ending == mt.Ending.time_limit
+    with pytest.raises(FileNotFoundError, match="push.csv"):
+        mt.parse(text)
+
+
 @pytest.mark.parametrize("again", [lambda scene: pickle.loads(pickle.dumps(scene)), copy.copy, copy.deepcopy])
 def test_scenes_are_pickled_as_text(again):
     scene = mt.load(SCENES / "triplet.toml", replace={"chain.velocity[0]": 2.0})
