@@ -25,7 +25,7 @@ class Noise {
 contact::Law disturbed(const CubicCurve& curve, Noise& noise) {
   std::vector<contact::LawPoint> points;
   const double longer = 1 + noise(), stronger = 1 + noise();
-  for (const auto& piece : curve) points.push_back({longer * piece.from, stronger * piece.a[0]});
+  for (const auto& segment : curve) points.push_back({longer * segment.from, stronger * segment.a[0]});
   return contact::SharedLaw(std::make_shared<contact::Tabulated>(std::move(points)));
 }
 

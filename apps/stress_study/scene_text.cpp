@@ -21,7 +21,8 @@ std::string array(const std::vector<double>& values) {
 /// The points of a curve, which a scene has in a file.
 std::string point_table(const CubicCurve& curve) {
   std::string text = "table = \"points.csv\"\n# indentation [m], force [N]\n";
-  for (const auto& piece : curve) text += fmt::format("# {}, {}\n", exact(piece.from), exact(piece.a[0]));
+  for (const auto& segment : curve)
+    text += fmt::format("# {}, {}\n", exact(segment.from), exact(segment.a[0]));
   return text;
 }
 

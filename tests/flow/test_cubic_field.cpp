@@ -1,5 +1,5 @@
-// What is derived from the field of pieces of cubics agrees with it.
-#define BOOST_TEST_MODULE field of pieces of cubics
+// What is derived from the field of cubic segments agrees with it.
+#define BOOST_TEST_MODULE field of cubic segments
 #include <boost/test/unit_test.hpp>
 
 #include "mariotte/flow/taylor/row_fields.hpp"

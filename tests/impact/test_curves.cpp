@@ -1,4 +1,4 @@
-// Rows and networks whose forces are curves through points: series by pieces against CVODE, which asks the
+// Rows and networks whose forces are curves through points: series by segments against CVODE, which asks the
 // law.
 #define BOOST_TEST_MODULE curves through points
 #include <boost/test/unit_test.hpp>
@@ -82,11 +82,11 @@ BOOST_AUTO_TEST_CASE(a_straight_curve_is_a_spring) {
                      .gap = std::vector<double>(balls - 1, 0.0),
                      .velocity = std::vector<double>(balls, 0.0)};
     row.velocity[0] = 1;
-    const auto by_pieces = impact::simulate(row, {.accuracy = 1e-13});
+    const auto by_segments = impact::simulate(row, {.accuracy = 1e-13});
     row.law.assign(balls - 1, contact::Linear{3});
     const auto by_springs = impact::simulate(row, {.accuracy = 1e-13});
-    BOOST_TEST(by_pieces.events.size() == by_springs.events.size());
-    BOOST_TEST(test::difference(by_pieces.velocity, by_springs.velocity) < 1e-12);
+    BOOST_TEST(by_segments.events.size() == by_springs.events.size());
+    BOOST_TEST(test::difference(by_segments.velocity, by_springs.velocity) < 1e-12);
   }
 }
 

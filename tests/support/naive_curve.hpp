@@ -13,7 +13,7 @@ class NaiveCurve {
  public:
   NaiveCurve() = default;
   explicit NaiveCurve(const CubicCurve& curve) {
-    for (const auto& piece : curve) points_.push_back({piece.from, piece.a[0]});
+    for (const auto& segment : curve) points_.push_back({segment.from, segment.a[0]});
     const auto last = points_.size() - 1;
     for (std::size_t i = 0; i <= last; ++i)
       slopes_.push_back(i == 0 ? at_end(0, 1) : i == last ? at_end(last - 1, last - 2) : mean(i));
@@ -46,7 +46,7 @@ class NaiveCurve {
     const double one = 2 * width(i) + width(i - 1), two = width(i) + 2 * width(i - 1);
     return (one + two) / (one / secant(i - 1) + two / secant(i));
   }
-  /// Of the parabola through the three points at an end, whose pieces are these.
+  /// Of the parabola through the three points at an end, whose segments are these.
   double at_end(std::size_t own, std::size_t next) const {
     if (points_.size() == 2) return secant(0);
     const double one = secant(own), h = width(own);

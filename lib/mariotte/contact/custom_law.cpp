@@ -49,11 +49,11 @@ class ScaledLaw final : public CustomLaw {
 
  private:
   CubicCurve scaled(CubicCurve curve) const {
-    for (auto& piece : curve) {
-      piece.from /= scale_.length;
-      piece.to /= scale_.length;
+    for (auto& segment : curve) {
+      segment.from /= scale_.length;
+      segment.to /= scale_.length;
       double unit = 1 / scale_.force();
-      for (double& a : piece.a) a *= std::exchange(unit, unit * scale_.length);
+      for (double& a : segment.a) a *= std::exchange(unit, unit * scale_.length);
     }
     return curve;
   }

@@ -29,8 +29,8 @@ struct DampedPower {
 class BranchedLaw;
 
 /// A law f(δ, δ̇) without memory, in SI units. CVODE follows it; of the flows with closed forms and series,
-/// these follow it which can follow its powers or its pieces. Objects are shared by contacts and threads, so
-/// they must not change.
+/// these follow it which can follow its powers or its segments. Objects are shared by contacts and threads,
+/// so they must not change.
 class CustomLaw {
  public:
   virtual ~CustomLaw() = default;
@@ -50,7 +50,7 @@ class CustomLaw {
   virtual double natural_indentation(double energy) const;
   /// The force if it is a sum of such powers.
   virtual std::optional<DampedPower> powers() const { return std::nullopt; }
-  /// The force by pieces, if it is that; series follow them.
+  /// The force as cubic segments, if it is that; series follow them.
   virtual const CubicCurve* curve() const { return nullptr; }
   /// Numbers of the law for results.
   virtual std::vector<LawParameter> parameters() const { return {}; }

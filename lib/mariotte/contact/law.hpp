@@ -9,7 +9,7 @@
 
 namespace mariotte::contact {
 
-/// The law of one contact. Closed forms and series are made for powers, branches and pieces; CVODE follows
+/// The law of one contact. Closed forms and series are made for powers, branches and segments; CVODE follows
 /// any.
 using Law = std::variant<PowerLaw, SharedLaw>;
 
@@ -28,7 +28,7 @@ inline std::optional<DampedPower> powers(const Law& law) {
   return std::get<SharedLaw>(law)->powers();
 }
 
-/// The force by pieces, or null if it is not that.
+/// The force as cubic segments, or null if it is not that.
 inline const CubicCurve* curve(const Law& law) {
   return power_law(law) ? nullptr : std::get<SharedLaw>(law)->curve();
 }

@@ -22,7 +22,7 @@ std::vector<double> slopes(const std::vector<LawPoint>& points) {
 }
 
 /// With these slopes at its ends.
-CubicPiece joined(const LawPoint& one, const LawPoint& next, double slope, double next_slope) {
+CubicSegment joined(const LawPoint& one, const LawPoint& next, double slope, double next_slope) {
   const double h = next.indentation - one.indentation, secant = (next.force - one.force) / h;
   return {.from = one.indentation,
           .to = next.indentation,
@@ -52,21 +52,21 @@ Tabulated::Tabulated(std::vector<LawPoint> points) {
   const auto slope = slopes(points);
   energy_.push_back(0);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const auto& piece = curve_.emplace_back(joined(points[i], points[i + 1], slope[i], slope[i + 1]));
-    energy_.push_back(energy_.back() + piece.energy(piece.to));
+    const auto& segment = curve_.emplace_back(joined(points[i], points[i + 1], slope[i], slope[i + 1]));
+    energy_.push_back(energy_.back() + segment.energy(segment.to));
   }
   const auto& last = points.back();
   curve_.push_back({.from = last.indentation, .to = infinity, .a = {last.force, slope.back(), 0, 0}});
 }
 
 Force Tabulated::force(double indentation, double) const {
-  const auto& piece = piece_at(curve_, indentation);
-  return {.value = piece.force(indentation), .by_indentation = piece.slope(indentation), .by_rate = 0};
+  const auto& segment = segment_at(curve_, indentation);
+  return {.value = segment.force(indentation), .by_indentation = segment.slope(indentation), .by_rate = 0};
 }
 
 double Tabulated::stored_energy(double indentation) const {
-  const auto& piece = piece_at(curve_, indentation);
-  return energy_[static_cast<std::size_t>(&piece - curve_.data())] + piece.energy(indentation);
+  const auto& segment = segment_at(curve_, indentation);
+  return energy_[static_cast<std::size_t>(&segment - curve_.data())] + segment.energy(indentation);
 }
 
 std::vector<LawParameter> Tabulated::parameters() const {

@@ -37,7 +37,7 @@ class Tabulated final : public CustomLaw {
 
  private:
   CubicCurve curve_;            ///< between the points, and beyond
-  std::vector<double> energy_;  ///< stored where each piece begins [J]
+  std::vector<double> energy_;  ///< stored where each segment begins [J]
 };
 
 }  // namespace mariotte::contact

@@ -1,4 +1,4 @@
-// A force by pieces of cubics, which flows follow piece by piece.
+// A force of cubic segments, which flows follow one after the other.
 #pragma once
 #include <algorithm>
 #include <vector>
@@ -6,7 +6,7 @@
 namespace mariotte {
 
 /// f = a₀ + a₁ x + a₂ x² + a₃ x³ with x = δ − from, up to δ = to; the slope is as continuous as the force.
-struct CubicPiece {
+struct CubicSegment {
   double from, to;
   double a[4];
 
@@ -27,11 +27,11 @@ struct CubicPiece {
 };
 
 /// Pieces in order, each from the end of the one before; the last has no end.
-using CubicCurve = std::vector<CubicPiece>;
+using CubicCurve = std::vector<CubicSegment>;
 
-/// The piece that holds an indentation; the first one below all.
-inline const CubicPiece& piece_at(const CubicCurve& curve, double indentation) {
-  const auto ends_before = [](const CubicPiece& piece, double d) { return piece.to <= d; };
+/// The segment that holds an indentation; the first one below all.
+inline const CubicSegment& segment_at(const CubicCurve& curve, double indentation) {
+  const auto ends_before = [](const CubicSegment& segment, double d) { return segment.to <= d; };
   return *std::lower_bound(curve.begin(), curve.end() - 1, indentation, ends_before);
 }
 

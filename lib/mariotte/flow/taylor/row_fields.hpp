@@ -157,7 +157,7 @@ struct WidthField : WidthQuantities {
   }
 };
 
-/// Forces by pieces of cubics.
+/// Forces on cubic segments.
 struct CubicQuantities : RowQuantities {
   enum { from, push0, push1, push2, push3, cubic_parameters };
 };

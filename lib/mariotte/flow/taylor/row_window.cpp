@@ -116,7 +116,7 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);
   w.lanes.linked = false;
-  if (w.lanes.count > row_limit() || w.lanes.widened || w.lanes.pieced || w.drives) couple_row(w);
+  if (w.lanes.count > row_limit() || w.lanes.widened || w.lanes.segmented || w.drives) couple_row(w);
   settle(w);
 }
 

@@ -76,7 +76,7 @@ class Block : RowQuantities {
       if (motion_.still) return motion_.clocked ? use(made(still_landing_)) : use(made(still_plain_));
       if (motion_.lanes->widened)
         return motion_.clocked ? use(made(width_landing_)) : use(made(width_plain_));
-      if (motion_.lanes->pieced) return use(made(cubic_));
+      if (motion_.lanes->segmented) return use(made(cubic_));
     }
     if (motion_.lanes->general)
       motion_.lanes->mixed ? use(made(general_mixed_)) : use(made(general_));

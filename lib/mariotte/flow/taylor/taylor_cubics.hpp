@@ -1,4 +1,4 @@
-// What the series of contacts need whose force is one of pieces of cubics. Included by one source file per
+// What the series of contacts need whose force is a curve of cubic segments. Included by one source file per
 // instruction set, which names the namespace they live in.
 #pragma once
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
-/// The numbers of the pieces of lanes `first` and on; zero for one without force.
+/// The numbers of the segments of lanes `first` and on; zero for one without force.
 template <int N>
 std::array<LaneVector<N>, CubicField::parameters> cubic_numbers(const Lanes& lanes, int first) {
   using Q = CubicQuantities;
   std::array<LaneVector<N>, CubicField::parameters> made;
   for (auto& one : made) one = LaneVector<N>(0.0);
   for (int lane = 0; lane < N * width && first + lane < lanes.count; ++lane) {
-    const auto* piece = lanes.piece[first + lane];
-    if (!piece) continue;
+    const auto* segment = lanes.segment[first + lane];
+    if (!segment) continue;
     const int i = lane / width, k = lane % width;
-    made[Q::from].part[i][k] = piece->from;
-    for (int n = 0; n < 4; ++n) made[Q::push0 + n].part[i][k] = piece->a[n];
+    made[Q::from].part[i][k] = segment->from;
+    for (int n = 0; n < 4; ++n) made[Q::push0 + n].part[i][k] = segment->a[n];
   }
   return made;
 }

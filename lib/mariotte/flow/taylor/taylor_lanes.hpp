@@ -52,23 +52,23 @@ class Lanes {
   void resize(int lanes);
 
   int count = 0;
-  bool damped = false;    ///< some damping is not zero
-  bool mixed = false;     ///< some load is not k δ + c δ̇
-  bool general = false;   ///< some power p is neither 0 nor 1/2
-  bool branched = false;  ///< some yield or turn is watched
-  bool linked = false;    ///< `links` says what lanes do to each other; else they are a row
-  bool widened = false;   ///< the forces are those of `branch`, not powers
-  bool pieced = false;    ///< the forces are those of `piece`, not powers
+  bool damped = false;     ///< some damping is not zero
+  bool mixed = false;      ///< some load is not k δ + c δ̇
+  bool general = false;    ///< some power p is neither 0 nor 1/2
+  bool branched = false;   ///< some yield or turn is watched
+  bool linked = false;     ///< `links` says what lanes do to each other; else they are a row
+  bool widened = false;    ///< the forces are those of `branch`, not powers
+  bool segmented = false;  ///< the forces are those of `segment`, not powers
   Links links;
   const double* bend = nullptr;  ///< more of δ̈ than `drive`, if any: by order, of all linked lanes
-  const WidthBranch* const* branch = nullptr;  ///< of each lane, if widened; null of one without force
-  const CubicPiece* const* piece = nullptr;    ///< of each lane, if pieced; null of one without force
-  double* indentation;                         ///< δ; negative where open
-  double* rate;                                ///< δ̇
-  double* width;                               ///< u of its branch
-  double* active;                              ///< 1 where the contact carries force, else 0
-  double* acts_above;                          ///< δ from which it does; infinite for one that does not push
-  double* late_above;                          ///< δ to which it may sink before it is heard
+  const WidthBranch* const* branch = nullptr;    ///< of each lane, if widened; null of one without force
+  const CubicSegment* const* segment = nullptr;  ///< of each lane, if segmented; null of one without force
+  double* indentation;                           ///< δ; negative where open
+  double* rate;                                  ///< δ̇
+  double* width;                                 ///< u of its branch
+  double* active;                                ///< 1 where the contact carries force, else 0
+  double* acts_above;   ///< δ from which it does; infinite for one that does not push
+  double* late_above;   ///< δ to which it may sink before it is heard
   double* rooted;       ///< 1 where a closed contact has a branch point at δ = 0, else 0
   double* stiffness;    ///< k
   double* steepening;   ///< l

@@ -43,7 +43,7 @@ bool PieceStep::acts(int lane) const {
 
 bool PieceStep::series(PushSeries& push) const {
   static_assert(order_limit <= most_orders);
-  if (window_.lanes.mixed || window_.lanes.widened || window_.lanes.pieced) return false;
+  if (window_.lanes.mixed || window_.lanes.widened || window_.lanes.segmented) return false;
   push.order = piece_.order;
   push.end = piece_.end;
   push.is_time = piece_.clock == Expansion::plain;

@@ -268,7 +268,7 @@ Piece Stepper::series_piece() {
   piece.end = std::min(reach(piece), reach_of_drives(window, piece.order, precision_.tolerance));
   if (piece.clock != Expansion::plain) land(piece);
   for (int j = 0; window.drives && j < l.count; ++j) end_beyond_noise(piece, j);
-  for (int j = 0; l.pieced && j < l.count; ++j) end_beyond_knots(piece, j);
+  for (int j = 0; l.segmented && j < l.count; ++j) end_beyond_knots(piece, j);
   shorten(piece, piece.end);
   return piece;
 }
@@ -289,10 +289,10 @@ void Stepper::end_beyond_noise(Piece& piece, int lane) const {
   }
 }
 
-/// End it where a force has come to its next piece, or back to the one before: so far beyond their knot that
-/// rounding leaves no doubt of the side. What both pieces say there differs by less than rounding.
+/// End it where a force has come to its next segment, or back to the one before: so far beyond their knot
+/// that rounding leaves no doubt of the side. What both segments say there differs by less than rounding.
 void Stepper::end_beyond_knots(Piece& piece, int lane) const {
-  const auto* own = window.piece[lane];
+  const auto* own = window.segment[lane];
   if (!own) return;
   const auto& contact = window.contact(lane);
   const double beyond = 64 * epsilon * std::max(contact.length, std::abs(window.lanes.indentation[lane]));

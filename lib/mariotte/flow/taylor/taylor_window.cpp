@@ -139,8 +139,8 @@ void advance(Window& w, const Values& values) {
   for (int lane = 0; l.damped && lane < l.count; ++lane) w.work[lane] += values.work[lane];
   for (int lane = 0; l.widened && lane < l.count; ++lane)
     if (w.branch[lane]) l.width[lane] = values.width[lane];
-  for (int lane = 0; l.pieced && lane < l.count; ++lane)
-    if (w.piece[lane]) w.piece[lane] = &piece_at(*w.contact(lane).curve, l.indentation[lane]);
+  for (int lane = 0; l.segmented && lane < l.count; ++lane)
+    if (w.segment[lane]) w.segment[lane] = &segment_at(*w.contact(lane).curve, l.indentation[lane]);
 }
 
 bool has_outgrown(const Window& w) {

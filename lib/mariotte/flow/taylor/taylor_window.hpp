@@ -46,8 +46,8 @@ struct Window {
   bool is_pulled = false;             ///< some contact has a constant pull
   std::vector<double> impulse, work;  ///< since `since`
   std::vector<double> stored;         ///< at `since`
-  std::vector<const WidthBranch*> branch;  ///< of each lane
-  std::vector<const CubicPiece*> piece;    ///< of each lane
+  std::vector<const WidthBranch*> branch;    ///< of each lane
+  std::vector<const CubicSegment*> segment;  ///< of each lane
   double outside_time = infinity;  ///< when the first of the gaps outside closes, or a drive has a kink
   Index outside_guard = -1;        ///< that of either
   const PhaseContact* outside = nullptr;  ///< that contact, or null

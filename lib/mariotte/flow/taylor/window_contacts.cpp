@@ -22,11 +22,11 @@ void begin(Window& w) {
   for (double* row : {l.yield_side, l.turn_side})
     if (l.branched) std::fill_n(row, l.count, 0.0);
   l.resize(static_cast<int>(count));
-  l.damped = l.mixed = l.general = l.branched = l.widened = l.pieced = false;
+  l.damped = l.mixed = l.general = l.branched = l.widened = l.segmented = false;
   w.branch.resize(count);
-  w.piece.resize(count);
+  w.segment.resize(count);
   l.branch = w.branch.data();
-  l.piece = w.piece.data();
+  l.segment = w.segment.data();
   for (auto* row : {&w.impulse, &w.work, &w.stored}) row->assign(count, 0);
   w.outside_time = infinity;
   w.outside = nullptr;
@@ -86,9 +86,9 @@ void fill(Window& w, int lane, double rate) {
   l.widened |= c.width != nullptr;
   w.branch[lane] = c.width;
   l.width[lane] = c.width ? c.width->curve.root(l.indentation[lane]) : 1;
-  const bool by_pieces = c.curve && c.pushes();
-  l.pieced |= by_pieces;
-  w.piece[lane] = by_pieces ? &piece_at(*c.curve, l.indentation[lane]) : nullptr;
+  const bool by_segments = c.curve && c.pushes();
+  l.segmented |= by_segments;
+  w.segment[lane] = by_segments ? &segment_at(*c.curve, l.indentation[lane]) : nullptr;
   watch(w, lane);
 }
 
