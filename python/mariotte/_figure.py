@@ -31,6 +31,7 @@ def make_panels(ax: Any, windows: Sequence[Window], title: str) -> Tuple[List[An
     for one in axes[0]:
         one.spines[["top", "right"]].set_visible(False)
         one.locator_params(axis="x", nbins=9 if len(windows) == 1 else 3)
+        one.tick_params(axis="x", labelsize="medium" if len(windows) == 1 else "x-small")
     return list(axes[0]), list(windows)
 
 

@@ -21,7 +21,7 @@ def write_words(ax: Any, window: Window, events: Sequence[Event]) -> None:
     """What happens, in two rows above the panel, where there is room."""
     texts = [_words(event) for event in events]
     size = text_size(_SMALL)
-    widths = [_width(ax, len(text) + 1, size) for text in texts]
+    widths = [_width(ax, len(text) + 3, size) for text in texts]  # names of curves may make panels narrower
     at = [min((event.time - window[0]) / (window[1] - window[0]), 1.05 - 0.5 * width)
           for event, width in zip(events, widths)]
     rows = _core.rows_of_words(at, widths, 2)
