@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mariotte/contact/stated_law.hpp"
+#include "mariotte/contact/tabulated.hpp"
 #include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
@@ -88,6 +89,17 @@ BOOST_AUTO_TEST_CASE(walls_hold_what_the_gaps_say_wherever_the_balls_stand) {
   const double force = std::pow(0.07 / 3.25, 1.5);
   for (const double f : rest.force) expect_near(f, force, 1e-13);
   expect_near(rest.indentation[1], 0.07 / 13, 1e-13);
+}
+
+// Its curve runs flat at the end: what is larger than that, the search for the force must not ask for.
+BOOST_AUTO_TEST_CASE(walls_hold_contacts_that_never_come_to_some_forces) {
+  auto chain = row(1, 1, 1, true);
+  chain.precompressed = true;
+  chain.gap = {-0.1, -0.1};
+  const contact::Tabulated flat({{0.003, 0.0547722557505}, {0.3, 0.547722557505}});
+  chain.law.assign(2, contact::SharedLaw(std::make_shared<contact::Tabulated>(flat)));
+  const auto rest = impact::rest(chain);
+  for (const double f : rest.force) expect_near(f, flat.force(0.1, 0).value, 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(a_column_carries_its_weight) {

@@ -51,8 +51,10 @@ std::vector<Part> parts(const model::Chain& chain) {
   return all;
 }
 
-/// The force at the upper wall, so that the part is as short as its walls leave it.
+/// The force at the upper wall, so that the part is as short as its walls leave it. A contact that never
+/// comes to its force gives way without end.
 double force_between_walls(const model::Chain& chain, const Part& part, const std::vector<double>& weight) {
+  constexpr double endless = 1e300;
   double overlap = 0, lightest = infinity;
   for (Index j = part.first; j <= part.last; ++j) {
     overlap -= chain.gap[j];
@@ -61,7 +63,8 @@ double force_between_walls(const model::Chain& chain, const Part& part, const st
   const auto excess = [&](double force) {
     double sum = -overlap;
     for (Index j = part.first; j <= part.last; ++j)
-      if (force + weight[j] > 0) sum += contact::static_indentation(chain.law[j], force + weight[j]);
+      if (force + weight[j] > 0)
+        sum += contact::find_static_indentation(chain.law[j], force + weight[j]).value_or(endless);
     return sum;
   };
   if (!(excess(-lightest) < 0)) refuse(part.first, "is in a part of the row that its walls do not press");
