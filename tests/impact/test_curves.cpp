@@ -72,6 +72,25 @@ BOOST_AUTO_TEST_CASE(driven_rows_are_those_that_cvode_follows) {
   }
 }
 
+// A contact that touches is drawn apart by more than its first cubic is wide, and must not pull.
+BOOST_AUTO_TEST_CASE(what_is_drawn_apart_has_no_force) {
+  for (const double width : {1e-13, 3e-9, 1e-4}) {
+    const auto law = curve({{width, 0.5 * width}, {0.3, 0.164}});
+    const model::Network network{.mass = {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                 .direction = {{{0, -1}, {1, 1}}, {{1, 1}, {2, 1}}},
+                                 .law = {law, law},
+                                 .gap = {0, 0},
+                                 .velocity = {1, 0, 0}};
+    const auto exact = impact::simulate(network, {.accuracy = 1e-12, .flow = flow::Kind::cvode_adams});
+    for (const double accuracy : {1e-5, 1e-6, 1e-8, 1e-10}) {
+      const auto impact = impact::simulate(network, {.accuracy = accuracy});
+      BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+      BOOST_TEST(test::difference(impact.velocity, exact.velocity) < accuracy);
+      BOOST_TEST(std::abs(impact.velocity[2]) < 0.01 * accuracy);
+    }
+  }
+}
+
 // Cubics through points of a straight line are that line.
 BOOST_AUTO_TEST_CASE(a_straight_curve_is_a_spring) {
   for (const Index balls : {2, 3, 12}) {

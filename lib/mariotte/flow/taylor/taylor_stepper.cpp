@@ -294,8 +294,8 @@ void Stepper::end_beyond_noise(Piece& piece, int lane) const {
 void Stepper::end_beyond_knots(Piece& piece, int lane) const {
   const auto* own = window.segment[lane];
   if (!own) return;
-  const auto& contact = window.contact(lane);
-  const double beyond = 64 * epsilon * std::max(contact.length, std::abs(window.lanes.indentation[lane]));
+  const double length = window.contact(lane).length,
+               beyond = 64 * epsilon * std::max(length, std::abs(window.lanes.indentation[lane]));
   Coefficients c;
   const auto used = piece.coefficients(Quantity::indentation, lane, c);
   const auto end_at_fall = [&](double side, double left) {
@@ -306,7 +306,7 @@ void Stepper::end_beyond_knots(Piece& piece, int lane) const {
     piece.end = std::min(piece.end, flow::place_of_fall(std::span(distance).first(used.size()), piece.end));
   };
   end_at_fall(-1, own->to + beyond - c[0]);
-  if (own != contact.curve->data()) end_at_fall(1, c[0] - own->from + beyond);
+  if (own->from < own->to) end_at_fall(1, c[0] - own->from + beyond);
 }
 
 /// End a piece in a contact's own clock where that contact lets go: behind, time would run backwards. There

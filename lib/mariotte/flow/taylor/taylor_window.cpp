@@ -140,7 +140,7 @@ void advance(Window& w, const Values& values) {
   for (int lane = 0; l.widened && lane < l.count; ++lane)
     if (w.branch[lane]) l.width[lane] = values.width[lane];
   for (int lane = 0; l.segmented && lane < l.count; ++lane)
-    if (w.segment[lane]) w.segment[lane] = &segment_at(*w.contact(lane).curve, l.indentation[lane]);
+    if (w.segment[lane]) w.segment[lane] = &segment_of(w.contact(lane), l.indentation[lane]);
 }
 
 bool has_outgrown(const Window& w) {

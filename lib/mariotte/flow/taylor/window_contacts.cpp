@@ -88,7 +88,7 @@ void fill(Window& w, int lane, double rate) {
   l.width[lane] = c.width ? c.width->curve.root(l.indentation[lane]) : 1;
   const bool by_segments = c.curve && c.pushes();
   l.segmented |= by_segments;
-  w.segment[lane] = by_segments ? &segment_at(*c.curve, l.indentation[lane]) : nullptr;
+  w.segment[lane] = by_segments ? &segment_of(c, l.indentation[lane]) : nullptr;
   watch(w, lane);
 }
 

@@ -20,6 +20,13 @@ inline double lateness(const PhaseContact& contact) {
   return contact.exponent <= 1.5 ? of_hertz : std::pow(of_hertz, 2.5 / (contact.exponent + 1));
 }
 
+/// The segment of its curve that a contact is on. One that touched and is drawn apart has no force: its first
+/// cubic may be narrow, and says nothing below zero: it is on one without width.
+inline const CubicSegment& segment_of(const PhaseContact& contact, double indentation) {
+  static constexpr CubicSegment apart{.from = 0, .to = 0, .a = {}};
+  return indentation < 0 ? apart : segment_at(*contact.curve, indentation);
+}
+
 /// A closed contact at its onset, where rounding may have left it beside zero.
 inline bool is_onset(const PhaseContact& contact, double indentation) {
   return contact.role == Role::closed && indentation <= 16 * epsilon * contact.length;
