@@ -2,6 +2,7 @@
 # make up mariotte/mariotte.hpp and mariotte/scene.hpp.
 set(MARIOTTE_PUBLIC_HEADERS
   core/contact_direction.hpp
+  core/cubic_curve.hpp
   core/damping.hpp
   core/dimension.hpp
   core/error.hpp

@@ -1,5 +1,4 @@
 // What Python sees of an impact.
-#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <nlohmann/json.hpp>
@@ -220,8 +219,9 @@ py::tuple energy_course(const Impact& impact) {
 std::string to_cite(const Impact& impact) {
   auto result =
       std::visit([&](const auto& one) { return report::json(one, impact.scene()); }, impact.whole());
-  if (const auto& laws = impact.box().own_laws; !laws.empty())
-    result["provenance"]["scene_sha256"] = fmt::format("with the law {}", fmt::join(laws, ", "));
+  std::string laws;
+  for (const auto& law : impact.box().own_laws) laws += (laws.empty() ? "with the law " : ", ") + law;
+  if (!laws.empty()) result["provenance"]["scene_sha256"] = laws;
   return report::to_cite(result);
 }
 

@@ -1,5 +1,4 @@
 // Impact laws on plain numbers, and contact laws from outside.
-#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -88,9 +87,10 @@ class ForeignLaw final : public contact::CustomLaw {
 };
 
 /// "cone at contacts 1, 3", of contacts from 0.
-std::string law_at(const std::string& name, std::vector<Index> contacts) {
-  for (auto& j : contacts) ++j;
-  return fmt::format("{} at contact{} {}", name, contacts.size() == 1 ? "" : "s", fmt::join(contacts, ", "));
+std::string law_at(const std::string& name, const std::vector<Index>& contacts) {
+  std::string numbers;
+  for (const Index j : contacts) numbers += (numbers.empty() ? " " : ", ") + std::to_string(j + 1);
+  return name + (contacts.size() == 1 ? " at contact" : " at contacts") + numbers;
 }
 
 /// The scene with this law at the contacts, from 0.
