@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mariotte/model/microbody/microbody_field.hpp"
+
 namespace mariotte::model {
 
 using flow::TipPhase;
