@@ -86,7 +86,7 @@ Force load(const CustomLaw& law, double indentation, double rate) {
   return indentation >= 0 ? law.load(indentation, rate) : on_tangent(law.load(0, rate), indentation);
 }
 
-std::optional<double> static_indentation(const CustomLaw& law, double force) {
+std::optional<double> find_static_indentation(const CustomLaw& law, double force) {
   const auto at_rest = [&](double depth) {
     const auto* branched = law.branched();
     return branched ? branched->force(loaded_first(*branched, depth), depth, 0).value

@@ -68,7 +68,7 @@ Force load(const CustomLaw& law, double indentation, double rate);
 
 /// Indentation at which the contact carries a force at rest [m], loaded for the first time; none if it never
 /// carries that much.
-std::optional<double> static_indentation(const CustomLaw& law, double force);
+std::optional<double> find_static_indentation(const CustomLaw& law, double force);
 
 /// The same law with δ, δ̇, force and energy in other units. Throws InvalidParameter if no indentation
 /// stores the unit of energy.

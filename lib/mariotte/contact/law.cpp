@@ -42,7 +42,8 @@ bool watches_turns(const Law& law) {
 }
 
 std::optional<double> find_static_indentation(const Law& law, double force) {
-  return with(law, [&](const auto& one) -> std::optional<double> { return static_indentation(one, force); });
+  if (const auto* power = power_law(law)) return static_indentation(*power, force);
+  return find_static_indentation(*std::get<SharedLaw>(law), force);
 }
 
 double static_indentation(const Law& law, double force) {

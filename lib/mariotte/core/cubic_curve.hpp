@@ -26,7 +26,7 @@ struct CubicSegment {
   }
 };
 
-/// Pieces in order, each from the end of the one before; the last has no end.
+/// Segments in order, each from the end of the one before; the last has no end.
 using CubicCurve = std::vector<CubicSegment>;
 
 /// The segment that holds an indentation; the first one below all.
