@@ -175,9 +175,14 @@ Scene adhesive_at_a_wall(Dice& dice) {
   return limited(dice, std::move(chain));
 }
 
+Law curve_or_power(Dice& dice, double mass) {
+  if (dice.chance(0.5)) return some_curve(dice, mass);
+  return contact::PowerLaw{.stiffness = dice.decades(2), .exponent = dice.pick({1, 1.5, dice.uniform(1, 3)})};
+}
+
 /// Rows that touch or not, between walls or not.
 Scene curves(Dice& dice) {
-  auto chain = apart(dice, dice.whole(2, 8), some_curve);
+  auto chain = apart(dice, dice.whole(2, 8), dice.chance(0.5) ? some_curve : curve_or_power);
   if (dice.chance(0.5)) chain.gap.assign(chain.gap.size(), 0.0);
   if (dice.chance(0.3)) add_wall(chain, dice.chance(0.5), dice.uniform(0.01, 1));
   return {.model = std::move(chain)};

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "mariotte/contact/tabulated.hpp"
+#include "mariotte/impact/sensitivity/sensitivity.hpp"
 #include "support/driven_rows.hpp"
 #include "support/networks.hpp"
 #include "support/series_against_adams.hpp"
@@ -51,11 +52,48 @@ BOOST_AUTO_TEST_CASE(rows_are_those_that_cvode_follows) {
   BOOST_TEST(10 * both.series < both.adams);
 }
 
+namespace {
+
+using contact::PowerLaw;
+constexpr PowerLaw powers[] = {{.stiffness = 2, .exponent = 1.5},
+                               {.stiffness = 3, .exponent = 1},
+                               {.stiffness = 5, .exponent = 2},
+                               {.stiffness = 2, .damping = 0.3, .exponent = 1},
+                               {.stiffness = 2, .damping = 0.2, .exponent = 1.5}};
+
+/// Such a curve, or one of the first `kinds` of powers.
+contact::Law curve_or_power(std::mt19937_64& random, std::size_t kinds) {
+  return random() % 2 == 0 ? random_curve(random, 7) : contact::Law(powers[random() % kinds]);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(curves_push_beside_powers) {
+  std::mt19937_64 random(1987);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const std::size_t kinds : {1, 2, 3, 5}) {
+    SeriesAgainstAdams both;
+    for (int i = 0; i < 30; ++i) {
+      model::Chain row{.mass = {1}, .law = {random_curve(random, 9)}, .gap = {0}, .velocity = {1, 0}};
+      row.mass.push_back(0.3 + 2 * share(random));
+      for (std::size_t j = 0; j < 1 + random() % 5; ++j) {
+        row.mass.push_back(0.3 + 2 * share(random));
+        row.velocity.push_back(0);
+        row.gap.push_back(i % 2 * 0.1 * share(random));
+        row.law.push_back(curve_or_power(random, kinds));
+      }
+      both.compare(row, 1e-10);
+    }
+    BOOST_TEST(5 * both.series < both.adams);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(packings_are_those_that_cvode_follows) {
   std::mt19937_64 random(1985);
   SeriesAgainstAdams both;
   for (const int points : {1, 5, 30})
     both.compare(test::lattice(4, random, [&](Index, Index) { return random_curve(random, points); }), 1e-9);
+  both.compare(test::lattice(4, random, [&](Index, Index) { return curve_or_power(random, 2); }), 1e-9);
   BOOST_TEST(5 * both.series < both.adams);
 }
 
@@ -63,7 +101,7 @@ BOOST_AUTO_TEST_CASE(driven_rows_are_those_that_cvode_follows) {
   std::mt19937_64 random(1986);
   for (const double gravity : {0.0, 0.2}) {
     model::Chain row{.mass = {infinity, 1, 1, 1},
-                     .law = {random_curve(random, 9), random_curve(random, 7), random_curve(random, 5)},
+                     .law = {random_curve(random, 9), powers[0], random_curve(random, 5)},
                      .gap = {0, 0.1, 0.2},
                      .velocity = {0, 0, 0, 0},
                      .gravity = gravity};
@@ -87,6 +125,29 @@ BOOST_AUTO_TEST_CASE(what_is_drawn_apart_has_no_force) {
       BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
       BOOST_TEST(test::difference(impact.velocity, exact.velocity) < accuracy);
       BOOST_TEST(std::abs(impact.velocity[2]) < 0.01 * accuracy);
+    }
+  }
+}
+
+// The curvature of the force jumps three hundred times.
+BOOST_AUTO_TEST_CASE(slopes_beside_powers_are_those_of_differences_of_runs) {
+  std::mt19937_64 random(1989);
+  const model::Chain chain{.mass = {1, 1.3, 0.8},
+                           .law = {contact::Hertz{1}, random_curve(random, 300)},
+                           .gap = {0.1, 0.3},
+                           .velocity = {1, 0, -0.5}};
+  const auto by = impact::parameters(chain);
+  const auto found = impact::sensitivity(chain, by);
+  BOOST_TEST(found.notes.empty());
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    const double h = 3e-6;
+    const auto at = [&](double offset) {
+      return impact::simulate(by[k].model(by[k].value + offset * h), {.accuracy = 1e-14}).velocity;
+    };
+    const auto a = at(-2), b = at(-1), c = at(1), d = at(2);
+    for (std::size_t i = 0; i < chain.mass.size(); ++i) {
+      const double expected = ((a[i] - d[i]) + 8 * (c[i] - b[i])) / (12 * h);
+      BOOST_TEST(std::abs(found.outcome[i].slope[k].value() - expected) < 2e-9);
     }
   }
 }

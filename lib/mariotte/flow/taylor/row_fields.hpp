@@ -77,6 +77,15 @@ struct RowField : RowQuantities {
     return row;
   }
 
+  /// A rate in time as one in the clock.
+  template <class T>
+  static constexpr T paced(const std::array<T, states>& x, const T& a) {
+    if constexpr (pace == Pace::landing)
+      return a * x[clock];
+    else
+      return a;
+  }
+
  private:
   template <class T>
   static constexpr T load(const std::array<T, states>& x, const std::array<T, parameters>& p,
@@ -98,13 +107,6 @@ struct RowField : RowQuantities {
       return p[free] * sqrt(depth) + p[chosen] * x[clock];
     else
       return sqrt(depth);
-  }
-  template <class T>
-  static constexpr T paced(const std::array<T, states>& x, const T& a) {
-    if constexpr (pace == Pace::landing)
-      return a * x[clock];
-    else
-      return a;
   }
 };
 
@@ -157,22 +159,27 @@ struct WidthField : WidthQuantities {
   }
 };
 
-/// Forces on cubic segments.
-struct CubicQuantities : RowQuantities {
-  enum { from, push0, push1, push2, push3, cubic_parameters };
+/// Forces on cubic segments, beside those that are powers.
+struct CurveQuantities : RowQuantities {
+  enum { from = parameters, push0, push1, push2, push3, curve_parameters };
 };
 
-/// The caller gives the coefficients of δ̇, as of linked contacts.
-struct CubicField : CubicQuantities {
-  enum { parameters = cubic_parameters };
-  static constexpr bool is_uniform(int row) { return row == clock || row == time; }
+/// A lane has the numbers of a segment or of powers; the others are zero. The caller gives the coefficients
+/// of δ̇ and of the clock, as of linked contacts.
+template <Pace pace, Terms terms>
+struct CurveField : CurveQuantities {
+  using Powers = RowField<pace, terms, Given::from_outside>;
+  enum { powers = parameters, parameters = curve_parameters, rows = Powers::rows };
+  static constexpr bool is_uniform(int row) { return Powers::is_uniform(row); }
 
   template <class T>
   static constexpr auto rates(const std::array<T, states>& x, const std::array<T, parameters>& p) {
-    std::array<T, rows> row{};
+    std::array<T, powers> of_powers;
+    for (int i = 0; i < powers; ++i) of_powers[i] = p[i];
+    auto row = Powers::rates(x, of_powers);
     const T depth = x[indentation] - p[from];
-    row[indentation] = x[rate];
-    row[impulse] = p[push0] + depth * (p[push1] + depth * (p[push2] + depth * p[push3]));
+    const T force = p[push0] + depth * (p[push1] + depth * (p[push2] + depth * p[push3]));
+    row[impulse] = row[impulse] + Powers::paced(x, force);
     return row;
   }
 };

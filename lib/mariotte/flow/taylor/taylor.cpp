@@ -39,15 +39,13 @@ bool concerns_problem(const Window& w, const taylor::Values& values) {
   return any;
 }
 
-/// Branches that are no powers, and segments of curves, have each a series of their own, from the start of a
-/// contact on: either all contacts that push have one, or none. No series of theirs has powers of other
-/// depths.
+/// Branches that are no powers have a series of their own, from the start of a contact on: either all contacts
+/// that push have one, or none. That series has no powers of other depths.
 bool are_alike(const std::vector<PhaseContact>& contacts) {
   const auto count = [&](auto&& is_one) { return std::count_if(contacts.begin(), contacts.end(), is_one); };
   const auto wide = count([](const PhaseContact& c) { return c.pushes() && c.width; });
-  const auto segmented = count([](const PhaseContact& c) { return c.pushes() && c.curve; });
-  if (wide == 0 && segmented == 0) return true;
-  if (std::max(wide, segmented) < count([](const PhaseContact& c) { return c.pushes(); })) return false;
+  if (wide == 0) return true;
+  if (wide < count([](const PhaseContact& c) { return c.pushes(); })) return false;
   return count([](const PhaseContact& c) {
            return (c.role == Role::touching && c.width) ||
                   (c.role == Role::slack && c.damping > 0 && c.grows == Damping::as_root);

@@ -2,7 +2,7 @@
 // namespace they live in.
 #pragma once
 #include "mariotte/flow/taylor/lane_motion.hpp"
-#include "mariotte/flow/taylor/taylor_cubics.hpp"
+#include "mariotte/flow/taylor/taylor_curves.hpp"
 #include "mariotte/flow/taylor/taylor_widths.hpp"
 #include "mariotte/series/series.hpp"
 
@@ -30,6 +30,10 @@ inline double pace_start(const Lanes& lanes, int owner) {
 /// Lanes `first` to first + N × width of those that are expanded.
 template <int N, Given given>
 class Block : RowQuantities {
+  using Maps = std::conditional_t<given == Given::by_neighbours, RowMaps, series::NoMaps>;
+  template <class Field>
+  using Of = series::Series<Field, order_limit, LaneVector<N>, Maps>;
+
  public:
   /// As the last expansion says.
   const LaneMotion<N>& motion() const { return motion_; }
@@ -76,7 +80,7 @@ class Block : RowQuantities {
       if (motion_.still) return motion_.clocked ? use(made(still_landing_)) : use(made(still_plain_));
       if (motion_.lanes->widened)
         return motion_.clocked ? use(made(width_landing_)) : use(made(width_plain_));
-      if (motion_.lanes->segmented) return use(made(cubic_));
+      if (motion_.lanes->segmented) return with_curves(use);
     }
     if (motion_.lanes->general)
       motion_.lanes->mixed ? use(made(general_mixed_)) : use(made(general_));
@@ -88,14 +92,17 @@ class Block : RowQuantities {
       motion_.damped ? use(made(damped_plain_)) : use(made(plain_));
   }
   /// Order 0 of that series, and order 1 of its states.
-  void begin(auto& series) {
-    if constexpr (std::is_same_v<decltype(&series), decltype(width_plain_.get())> ||
-                  std::is_same_v<decltype(&series), decltype(width_landing_.get())>)
-      series.begin(width_states(start_, motion_.of(motion_.lanes->width)), width_parameters());
-    else if constexpr (std::is_same_v<decltype(&series), decltype(cubic_.get())>)
-      series.begin(start_, cubic_numbers<N>(*motion_.lanes, motion_.first));
-    else
-      series.begin(start_, motion_.parameter);
+  template <class Field>
+  void begin(Of<Field>& series) {
+    series.begin(start_, motion_.parameter);
+  }
+  template <Pace pace>
+  void begin(Of<WidthField<pace>>& series) {
+    series.begin(width_states(start_, motion_.of(motion_.lanes->width)), width_parameters());
+  }
+  template <Pace pace, Terms terms>
+  void begin(Of<CurveField<pace, terms>>& series) {
+    series.begin(start_, curve_numbers<N>(*motion_.lanes, motion_.first, motion_.parameter));
   }
   const std::array<LaneVector<N>, states>& start_states() const { return start_; }
   const std::array<LaneVector<N>, parameters>& parameter_values() const { return motion_.parameter; }
@@ -141,17 +148,28 @@ class Block : RowQuantities {
     return true;
   }
 
-  using Maps = std::conditional_t<given == Given::by_neighbours, RowMaps, series::NoMaps>;
   template <class Field>
-  using Of = std::unique_ptr<series::Series<Field, order_limit, LaneVector<N>, Maps>>;
+  using Held = std::unique_ptr<Of<Field>>;
   template <Pace pace, Terms terms>
-  using Own = Of<RowField<pace, terms, given>>;
+  using Own = Held<RowField<pace, terms, given>>;
+  template <Pace pace, Terms terms>
+  using Curves = Held<CurveField<pace, terms>>;
   template <class Series>
   Series& made(std::unique_ptr<Series>& series) {
     if (!series) series = std::make_unique<Series>();
     if constexpr (given == Given::by_neighbours) series->maps.lane = owner_;
     motion_.coefficient = &(*series)[0];
     return *series;
+  }
+
+  template <class Use>
+  void with_curves(Use&& use) {
+    if (motion_.lanes->general)
+      use(made(curves_general_));
+    else if (motion_.damped)
+      motion_.clocked ? use(made(curves_damped_landing_)) : use(made(curves_damped_plain_));
+    else
+      motion_.clocked ? use(made(curves_landing_)) : use(made(curves_plain_));
   }
 
   WidthNumbers<N> width_parameters() {
@@ -174,11 +192,15 @@ class Block : RowQuantities {
   Own<Pace::landing, Terms::mixed> mixed_landing_;
   Own<Pace::general, Terms::viscous> general_;
   Own<Pace::general, Terms::mixed> general_mixed_;
-  Of<WidthField<Pace::plain>> width_plain_;
-  Of<WidthField<Pace::landing>> width_landing_;
-  Of<CubicField> cubic_;
-  Of<StillField<Pace::plain>> still_plain_;
-  Of<StillField<Pace::landing>> still_landing_;
+  Held<WidthField<Pace::plain>> width_plain_;
+  Held<WidthField<Pace::landing>> width_landing_;
+  Curves<Pace::plain, Terms::elastic> curves_plain_;
+  Curves<Pace::plain, Terms::mixed> curves_damped_plain_;
+  Curves<Pace::landing, Terms::elastic> curves_landing_;
+  Curves<Pace::landing, Terms::mixed> curves_damped_landing_;
+  Curves<Pace::general, Terms::mixed> curves_general_;
+  Held<StillField<Pace::plain>> still_plain_;
+  Held<StillField<Pace::landing>> still_landing_;
 };
 
 }  // namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET

@@ -266,9 +266,9 @@ Piece Stepper::series_piece() {
   piece.series->expand(l, piece.order, piece.clock);
   if (window.drives) find_works(window, *piece.series, piece.order);
   piece.end = std::min(reach(piece), reach_of_drives(window, piece.order, precision_.tolerance));
-  if (piece.clock != Expansion::plain) land(piece);
   for (int j = 0; window.drives && j < l.count; ++j) end_beyond_noise(piece, j);
   for (int j = 0; l.segmented && j < l.count; ++j) end_beyond_knots(piece, j);
+  if (piece.clock != Expansion::plain) land(piece);
   shorten(piece, piece.end);
   return piece;
 }

@@ -9,12 +9,14 @@
 
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
-/// The numbers of the segments of lanes `first` and on; zero for one without force.
+/// The numbers of powers, and those of the segments of lanes `first` and on; zero for one without.
 template <int N>
-std::array<LaneVector<N>, CubicField::parameters> cubic_numbers(const Lanes& lanes, int first) {
-  using Q = CubicQuantities;
-  std::array<LaneVector<N>, CubicField::parameters> made;
+std::array<LaneVector<N>, CurveQuantities::curve_parameters> curve_numbers(
+    const Lanes& lanes, int first, const std::array<LaneVector<N>, RowQuantities::parameters>& powers) {
+  using Q = CurveQuantities;
+  std::array<LaneVector<N>, Q::curve_parameters> made;
   for (auto& one : made) one = LaneVector<N>(0.0);
+  for (int i = 0; i < Q::parameters; ++i) made[i] = powers[i];
   for (int lane = 0; lane < N * width && first + lane < lanes.count; ++lane) {
     const auto* segment = lanes.segment[first + lane];
     if (!segment) continue;
