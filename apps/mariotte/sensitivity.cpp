@@ -8,6 +8,7 @@
 #include "mariotte/report/figure/tornado.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
 #include "mariotte/report/page/files.hpp"
+#include "mariotte/scene/result_key.hpp"
 #include "mariotte/scene/simulate.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "run_of_slopes.hpp"
@@ -41,12 +42,19 @@ std::vector<std::string> file_names() {
   return names;
 }
 
+/// Bars count balls and contacts as results do.
+impact::Sensitivity numbered(impact::Sensitivity slopes, const scene::Document& document) {
+  for (auto& parameter : slopes.parameter) parameter.name = scene::key_in_results(document, parameter.name);
+  return slopes;
+}
+
 /// Slopes, what they are of, and their picture; a note if there is none.
-void write_folder(const Slopes& options, const impact::Sensitivity& slopes, const scene::Scene& scene) {
+void write_folder(const Slopes& options, const impact::Sensitivity& slopes, const scene::Scene& scene,
+                  const scene::Document& document) {
   const std::filesystem::path folder = options.out;
   report::write_file(folder / "slopes.csv", report::csv(slopes));
   report::write_file(folder / "result.json", report::text(json(slopes, scene, options.scene)));
-  const auto script = report::tornado_script(slopes, scene.title);
+  const auto script = report::tornado_script(numbered(slopes, document), scene.title);
   if (script.empty()) return note("no picture: no relative slope is known that is more than rounding");
   report::write_file(folder / "bars.csv", report::tornado_csv(slopes));
   report::write_file(folder / "plot.gp", script);
@@ -65,7 +73,7 @@ int sensitivity(const Slopes& options) try {
     print(report::text(json(slopes, scene, options.scene)));
   else
     print(options.csv ? report::csv(slopes) : report::table(slopes, scene.title));
-  if (!options.out.empty()) write_folder(options, slopes, scene);
+  if (!options.out.empty()) write_folder(options, slopes, scene, document);
   tell_warnings(of_run, options.scene.quiet);
   return tell_ending(slopes.ending, slopes.message, scene);
 } catch (const study::UnknownOutcome& problem) {

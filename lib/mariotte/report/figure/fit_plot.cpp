@@ -9,12 +9,14 @@
 #include "mariotte/report/figure/axis_names.hpp"
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/line_names.hpp"
+#include "mariotte/report/figure/ticks.hpp"
 #include "mariotte/report/figure/title.hpp"
 #include "mariotte/report/number.hpp"
 
 namespace mariotte::report {
 namespace {
 
+constexpr double letters_below = 44;  // along the axis
 constexpr const char* fit_figure = "fit";
 constexpr const char* residuals_figure = "residuals";
 
@@ -33,7 +35,7 @@ std::string shown(const FitReport& report, const study::FitCurves& curves, std::
   return fmt::format("({}${})", in_degrees ? "180/pi*" : "", column);
 }
 
-/// Between the ends of the curves, with tics at 1, 2, 3, 5 and 7 of every decade.
+/// Between the ends of the curves.
 std::string logarithmic_axis(const study::FitCurves& curves) {
   double least = INFINITY, most = 0;
   for (const auto& curve : curves.curves)
@@ -42,9 +44,8 @@ std::string logarithmic_axis(const study::FitCurves& curves) {
       most = std::max(most, at);
     }
   std::string tics;
-  for (double decade = std::pow(10, std::floor(std::log10(least))); decade <= most; decade *= 10)
-    for (const double digit : {1, 2, 3, 5, 7})
-      tics += fmt::format("{}'{:.3g}' {:.3g}", tics.empty() ? "" : ", ", digit * decade, digit * decade);
+  for (const double at : logarithmic_ticks(least, most, letters_below))
+    tics += fmt::format("{}'{:.3g}' {:.3g}", tics.empty() ? "" : ", ", at, at);
   return fmt::format("set logscale x\nset xrange [{:.4g}:{:.4g}]\nset xtics ({})\n", least, most, tics);
 }
 

@@ -20,7 +20,8 @@ using study::Design;
 using study::Parameter;
 
 constexpr Index most_tick_names = 12;
-constexpr double most_ticks = 5;  // below a map
+constexpr double most_ticks = 5;                           // below a map
+constexpr double letters_below = 34, letters_beside = 60;  // of a logarithmic axis, whose lines are not long
 
 bool is_logarithmic(const Parameter& one) {
   return one.range && one.range->logarithmic && one.range->from > 0;
@@ -37,18 +38,12 @@ Display display_of(const Parameter& one) {
   return display_for(ends, one.unit);
 }
 
-/// Decades of a range, and what is between if there are few; what is beyond its ends would widen the margin.
-std::string decades(const study::Range& range, double scale) {
-  const double least = std::log10(scale * std::min(range.from, range.to)) - 1e-9;
-  const double most = std::log10(scale * std::max(range.from, range.to)) + 1e-9;
-  const int count = static_cast<int>(most - least);
+/// Round numbers of a range, which stand at their logarithms.
+std::string logarithmic(const study::Range& range, double scale, double letters) {
   std::string tics;
-  for (int power = static_cast<int>(std::floor(least)); power <= most; power += 1 + count / 8)
-    for (const int factor : {1, 2, 5}) {
-      const double at = power + std::log10(factor);
-      if ((factor > 1 && count > 2) || at < least || at > most) continue;
-      tics += fmt::format("{}'{:g}' {:.9g}", tics.empty() ? "" : ", ", factor * std::pow(10.0, power), at);
-    }
+  const auto [least, most] = std::minmax(range.from, range.to);
+  for (const double at : logarithmic_ticks(scale * least, scale * most, letters))
+    tics += fmt::format("{}'{:g}' {:.9g}", tics.empty() ? "" : ", ", at, std::log10(at));
   return tics;
 }
 
@@ -78,7 +73,8 @@ bool is_to_scale(const Design& design, std::size_t parameter) {
 std::string ticks(const Design& design, std::size_t parameter, double factor, char axis) {
   const auto& one = design.parameters[parameter];
   if (!one.range) return is_to_scale(design, parameter) ? "autofreq" : "(" + names(one) + ")";
-  if (is_logarithmic(one)) return "(" + decades(*one.range, factor) + ")";
+  if (is_logarithmic(one))
+    return "(" + logarithmic(*one.range, factor, axis == 'x' ? letters_below : letters_beside) + ")";
   const double span = factor * std::abs(one.range->to - one.range->from) * (one.range->normal ? 3 : 1);
   return axis == 'x' && span > 0 ? fmt::format("{:g}", tick_step(span, most_ticks)) : "autofreq";
 }
@@ -125,7 +121,8 @@ std::string axis_settings(const Design& design, std::size_t parameter, char axis
 }
 
 std::string parameter_name(const Parameter& one) {
-  return one.is_variable ? greek(one.key) : name_of_input(one.key);
+  return one.is_variable ? greek(one.key)
+                         : name_of_input(one.key_in_results.empty() ? one.key : one.key_in_results);
 }
 
 std::string axis_name(const Parameter& one) {

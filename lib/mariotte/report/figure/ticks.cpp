@@ -14,6 +14,41 @@ double tick_step(double span, double most) {
   return 10 * decade;
 }
 
+namespace {
+
+/// The digits of every so many decades; what is beyond the ends would widen the margin.
+std::vector<double> round_numbers(double least, double most, const std::vector<double>& digits, int decades) {
+  std::vector<double> found;
+  for (int power = static_cast<int>(std::floor(std::log10(least))); std::pow(10, power) <= most;
+       power += decades)
+    for (const double digit : digits)
+      if (const double at = digit * std::pow(10, power); at >= least * (1 - 1e-9) && at <= most * (1 + 1e-9))
+        found.push_back(at);
+  return found;
+}
+
+/// Every two neighbours have a letter between them.
+bool have_room(const std::vector<double>& ticks, double letters_per_decade) {
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    const auto lengths = tick_name(ticks[i - 1]).size() + tick_name(ticks[i]).size();
+    if (letters_per_decade * std::log10(ticks[i] / ticks[i - 1]) < 0.5 * static_cast<double>(lengths) + 1)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> logarithmic_ticks(double least, double most, double letters) {
+  const double letters_per_decade = letters / std::log10(most / least);
+  for (const auto& digits : std::vector<std::vector<double>>{{1, 2, 3, 5, 7}, {1, 2, 5}, {1, 3}})
+    if (auto ticks = round_numbers(least, most, digits, 1); have_room(ticks, letters_per_decade))
+      return ticks;
+  int decades = 1;
+  while (!have_room(round_numbers(least, most, {1}, decades), letters_per_decade)) ++decades;
+  return round_numbers(least, most, {1}, decades);
+}
+
 std::string tick_name(double value) {
   return fmt::format("{}{:g}", value < 0 ? "−" : "", std::abs(value));
 }

@@ -42,6 +42,7 @@ inline double deviation(const Range& range) {
 /// One key that is varied. Parameters of one axis move together.
 struct Parameter {
   std::string key;                     ///< as `--set` writes it
+  std::string key_in_results = {};     ///< with the place of its ball or contact there, for figures
   scene::Place place = {};             ///< of the key in the scene file
   Index axis = 0;                      ///< whose position chooses the value
   std::optional<Range> range = {};     ///< or else

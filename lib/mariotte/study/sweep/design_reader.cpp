@@ -6,6 +6,7 @@
 
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
+#include "mariotte/scene/result_key.hpp"
 #include "mariotte/study/fault.hpp"
 #include "mariotte/study/sweep/design_axes.hpp"
 #include "mariotte/study/sweep/design_trials.hpp"
@@ -54,8 +55,11 @@ Design read_keys(Document& document) {
   if (design.parameters.empty())
     reject(source, tables(document).front(), fault::sweep_values, "no table says what is varied");
   for (const auto& table : derived(document)) expect_key(source, *find(table, "key"), known);
-  for (const auto& one : design.parameters)
-    if (!one.is_variable) locate(source, document.tree, one.key, one.place);
+  for (auto& one : design.parameters) {
+    if (one.is_variable) continue;
+    locate(source, document.tree, one.key, one.place);
+    one.key_in_results = scene::key_in_results(document, one.key);
+  }
   return design;
 }
 
