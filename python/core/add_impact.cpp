@@ -69,11 +69,12 @@ double time(const Impact& impact) {
 
 /// Refuses an index for which this result has nothing, and [*], which stands for several numbers.
 template <class Model>
-void expect_index(const std::string& text, const impact::Entry<Model>& entry, std::size_t level,
+void expect_index(const std::string& text, impact::Entry<Model> entry, std::size_t level,
                   const Model& whole) {
   const auto& array = *entry.arrays[level];
+  const bool is_one = entry.at[level] != impact::every_index;
+  if (is_one && impact::find_place(entry, whole, level + 1)) return;
   const auto count = array.count(whole, entry.at).value_or(0);
-  if (entry.at[level] >= 0 && entry.at[level] < count) return;
   throw py::key_error(text + " is no number of this result: it has " + std::to_string(count) + " of " +
                       std::string(array.is.key) + ", counted from 0");
 }
@@ -110,9 +111,10 @@ double number(const Impact& impact, const std::string& text) {
 
 /// The keys of this result that the first [*] of one stands for.
 std::vector<std::string> keys(const Impact& impact, const std::string& pattern) {
-  return at_entry(impact, pattern, [&](const auto& entry, const auto& whole) {
+  return at_entry(impact, pattern, [&](auto entry, const auto& whole) {
     std::size_t level = 0;
     for (; entry.at[level] != impact::every_index; ++level) expect_index(pattern, entry, level, whole);
+    impact::find_place(entry, whole, level);
     std::vector<std::string> all(entry.arrays[level]->count(whole, entry.at).value_or(0), pattern);
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i].replace(pattern.find("[*]"), 3, "[" + std::to_string(i) + "]");

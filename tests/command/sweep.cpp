@@ -26,6 +26,13 @@ to = 3
 count = 3
 )";
 
+std::vector<std::string> cells_of(const std::string& line) {
+  std::istringstream row(line);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
@@ -41,9 +48,7 @@ BOOST_FIXTURE_TEST_CASE(a_row_is_what_run_says_of_that_point, Session) {
              "ending,reason");
   const auto run = nlohmann::json::parse(
       mariotte("run few.toml --json --set 'chain.velocity[2]=-0.5' --set 'chain.mass[1]=2'").out);
-  std::istringstream row(rows[2]);
-  std::vector<std::string> cells;
-  for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+  const auto cells = cells_of(rows[2]);
   BOOST_TEST(std::stod(cells[0]) == -0.5);
   BOOST_TEST(std::stod(cells[1]) == 2);
   for (std::size_t i = 0; i < 3; ++i)
@@ -95,6 +100,37 @@ normal_speed = "5 m/s"
   BOOST_TEST(wrong.code == 3);
   BOOST_TEST(has(wrong.err, "wrong.toml:17:6: "));
   BOOST_TEST(has(wrong.err, "expected a velocity"));
+}
+
+BOOST_FIXTURE_TEST_CASE(the_last_ball_of_rows_of_any_length_has_a_column, Session) {
+  write("rows.toml", R"(columns = ["final.velocity[-1]", "share = final.velocity[-1]^2"]
+[chain]
+mass = 1
+stiffness = 1
+law = "hertz"
+balls = 2
+[[chain.ball]]
+number = 1
+velocity = 1
+[[sweep]]
+key = "chain.balls"
+values = [2, 5, 3]
+)");
+  BOOST_TEST(mariotte("sweep rows.toml --out out --no-figures").code == 0);
+  const auto rows = lines(content(folder / "out/sweep.csv"));
+  BOOST_TEST_REQUIRE(rows.size() == 4);
+  BOOST_TEST(rows[0] == "chain.balls,final.velocity[-1] [m/s],share,ending,reason");
+  const int balls[] = {2, 5, 3};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto run = nlohmann::json::parse(
+        mariotte("run rows.toml --json --set chain.balls=" + std::to_string(balls[i])).out);
+    const double last = run["final"]["velocity"].back().get<double>();
+    const auto row = cells_of(rows[i + 1]);
+    BOOST_TEST(std::abs(std::stod(row[1]) - last) < 1e-10);
+    BOOST_TEST(std::abs(std::stod(row[2]) - last * last) < 1e-10);
+  }
+  BOOST_TEST(has(mariotte("sweep rows.toml --out out --column ending --force").err,
+                 "'ending' is a column of every sweep, and needs no key"));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_sweep_is_drawn_unless_it_shall_not, Session) {

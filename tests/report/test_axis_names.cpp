@@ -19,6 +19,11 @@ BOOST_AUTO_TEST_CASE(results_have_words_and_a_symbol_with_numbers_from_1) {
   BOOST_TEST(name_of_result("contacts[1].stored", "") == "stored 2");
 }
 
+BOOST_AUTO_TEST_CASE(places_from_the_end_are_n_and_before) {
+  BOOST_TEST(name_of_result("final.velocity[-1]", "v_i") == "final velocity v_{n}");
+  BOOST_TEST(name_of_result("contacts[-2].peak_force", "max f_n") == "peak force max f_{n,n−1}");
+}
+
 BOOST_AUTO_TEST_CASE(a_legend_has_symbols_or_words_for_want_of_one) {
   BOOST_TEST(short_name_of_result("final.velocity[2]", "v_i") == "v_{3}");
   BOOST_TEST(short_name_of_result("contacts[1].stored", "") == "stored 2");
@@ -29,7 +34,7 @@ BOOST_AUTO_TEST_CASE(inputs_have_words_and_a_symbol_with_numbers_from_1) {
   BOOST_TEST(name_of_input("chain.contact[1].stiffness") == "stiffness k_{2}");
   BOOST_TEST(name_of_input("chain.material.young") == "Young's modulus E");
   BOOST_TEST(name_of_input("incidence.angles[1]") == "angle β");
-  BOOST_TEST(name_of_input("chain.velocity[0]") == "initial velocity v@_{1}^{−}");
+  BOOST_TEST(name_of_input("chain.velocity[0]") == "initial velocity v@^{−}_{1}");
   BOOST_TEST(name_of_input("body.length_ratio") == "length ratio");
 }
 
@@ -43,6 +48,18 @@ BOOST_AUTO_TEST_CASE(numbers_have_a_minus_that_is_no_hyphen) {
   BOOST_TEST(tick_name(-0.4) == "−0.4");
   BOOST_TEST(tick_name(1e-6) == "1e-06");
   BOOST_TEST(tick_name(0) == "0");
+}
+
+BOOST_AUTO_TEST_CASE(a_logarithmic_axis_has_as_many_ticks_as_have_room) {
+  using Ticks = std::vector<double>;
+  const auto are = [](const Ticks& found, const Ticks& expected) {
+    BOOST_TEST(found == expected, boost::test_tools::tolerance(1e-12) << boost::test_tools::per_element());
+  };
+  are(logarithmic_ticks(1, 10, 44), {1, 2, 3, 5, 7, 10});
+  are(logarithmic_ticks(1, 100, 34), {1, 2, 5, 10, 20, 50, 100});
+  are(logarithmic_ticks(0.001, 0.5, 34), {0.001, 0.003, 0.01, 0.03, 0.1, 0.3});
+  are(logarithmic_ticks(1e-3, 1e3, 34), {1e-3, 1e-2, 1e-1, 1, 10, 100, 1000});
+  are(logarithmic_ticks(1e-12, 1e3, 30), {1e-12, 1e-9, 1e-6, 1e-3, 1, 1000});
 }
 
 BOOST_AUTO_TEST_CASE(names_of_greek_letters_are_letters) {

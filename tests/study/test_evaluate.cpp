@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(columns_without_sense_are_refused) {
   for (const auto* key : {"icr",
                           "icr[]",
                           "icr[a]",
-                          "icr[-1]",
+                          "icr[-2]",
                           "icr]x[",
                           "icr[0",
                           "icr[0][0]",

@@ -63,6 +63,11 @@ BOOST_AUTO_TEST_CASE(an_expression_reads_keys_as_names) {
   const double two[] = {2};
   for (const char* compares : {"x == 2 ? 1 : 0", "x >= 2", "x <= 2", "x != 3"})
     BOOST_TEST(study::Expression{compares}(two) == 1);
+  const study::Expression last("final.velocity[-1] - final.velocity[-2]");
+  BOOST_TEST(last.names() == (std::vector<std::string>{"final.velocity[-1]", "final.velocity[-2]"}),
+             boost::test_tools::per_element());
+  const double of_last[] = {5, 3};
+  BOOST_TEST(last(of_last) == 2);
   for (const char* wrong : {"", "1 +", "a b", "f(1)", "1, 2", "chain.contact[1].stiffness * (", "x = 7",
                             "(x=2) ? 1 : 2", "x === 2"})
     BOOST_CHECK_THROW(study::Expression{wrong}, study::ExpressionError);

@@ -12,8 +12,8 @@ std::optional<Index> parse_index(std::string_view text) {
   if (text == "*") return every_index;
   Index index = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-  if (error != std::errc() || stop != text.data() + text.size() || index < 0) return std::nullopt;
-  return index;
+  if (error != std::errc() || stop != text.data() + text.size()) return std::nullopt;
+  return index < 0 ? from_end(index) : index;
 }
 
 }  // namespace

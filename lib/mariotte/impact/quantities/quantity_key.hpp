@@ -1,9 +1,11 @@
 // A number of a result by the key that a user writes.
 //
-//     KEY = name { "." name | "[" index "]" } [ ".count" ]      indices count from 0, * stands for all of
-//     them;
-//                                                               ".count" is the length of an array
+//     KEY = name { "." name | "[" index "]" } [ ".count" ]
+//
+// Indices count from 0, or from the end, where −1 is the last; * stands for all of them, ".count" is the
+// length of an array.
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -12,6 +14,18 @@
 namespace mariotte::impact {
 
 inline constexpr Index every_index = -1;  ///< what * is
+
+/// What −1, −2, … are; it changes into the index as written, and back.
+inline constexpr Index from_end(Index written) {
+  return every_index + written;
+}
+inline constexpr bool is_from_end(Index index) {
+  return index < every_index;
+}
+/// Of an array of so many; negative if it is too short.
+inline constexpr Index place_in(Index count, Index index) {
+  return is_from_end(index) ? count + index - every_index : index;
+}
 
 /// A key in parts.
 struct Key {
@@ -57,15 +71,26 @@ std::optional<Entry<Impact>> find_entry(const Key& key) {
   return entry;
 }
 
+/// Count indices from the end from 0, of the first `levels` arrays; false where this result has no such
+/// place.
+template <class Impact>
+bool find_place(Entry<Impact>& entry, const Impact& impact, std::size_t levels = Indices().size()) {
+  for (std::size_t level = 0; level < levels && entry.has_index(level); ++level) {
+    const Index count = entry.arrays[level]->count(impact, entry.at).value_or(0);
+    entry.at[level] = place_in(count, entry.at[level]);
+    if (entry.at[level] < 0 || entry.at[level] >= count) return false;
+  }
+  return true;
+}
+
 /// The value as a number; nan if it is none.
 double number(const Value& value);
 
 /// Nan where this result has nothing there.
 template <class Impact>
-double number(const Entry<Impact>& entry, const Impact& impact) {
+double number(Entry<Impact> entry, const Impact& impact) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t level = 0; entry.has_index(level); ++level)
-    if (entry.at[level] >= entry.arrays[level]->count(impact, entry.at).value_or(0)) return none;
+  if (!find_place(entry, impact)) return none;
   if (!entry.counts) return number(entry.quantity->read(impact, entry.at));
   const auto count = entry.quantity->count(impact, entry.at);
   return count ? static_cast<double>(*count) : none;
@@ -74,6 +99,7 @@ double number(const Entry<Impact>& entry, const Impact& impact) {
 /// Whether the quickest solver has it.
 template <class Impact>
 bool is_brief(const Entry<Impact>& entry) {
+  if (std::any_of(entry.at.begin(), entry.at.end(), is_from_end)) return false;
   return entry.quantity->brief && entry.counts == !entry.quantity->read;
 }
 

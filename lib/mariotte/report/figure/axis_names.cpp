@@ -45,12 +45,20 @@ const AxisWord* find(std::span<const AxisWord> words, std::string_view key) {
   return found == words.end() ? nullptr : &*found;
 }
 
-/// A key taken apart: {"contacts", "peak_force"} and its indices, from 1.
+/// A key taken apart: {"contacts", "peak_force"} and its indices, from 1; those from the end are 0, −1, …
 struct Path {
   std::vector<std::string> names;
   std::vector<int> numbers;
 
-  std::string number() const { return fmt::format("{}", fmt::join(numbers, ",")); }
+  /// "2,1", or "n", "n−1" from the end.
+  std::string number() const {
+    std::string text;
+    for (const int one : numbers)
+      text += (text.empty() ? "" : ",") + (one > 0    ? std::to_string(one)
+                                           : one == 0 ? "n"
+                                                      : fmt::format("n−{}", -one));
+    return text;
+  }
 };
 
 Path path_of(const std::string& key) {
@@ -83,7 +91,7 @@ std::string with_braces(std::string text) {
 std::string with_index(const std::string& text, const std::string& index) {
   constexpr std::string_view before = "⁻";
   if (!text.ends_with(before)) return fmt::format("{}_{{{}}}", text, index);
-  return fmt::format("{}@_{{{}}}^{{−}}", text.substr(0, text.size() - before.size()), index);
+  return fmt::format("{}@^{{−}}_{{{}}}", text.substr(0, text.size() - before.size()), index);
 }
 
 /// "α_j" of number 2 is "α_{2}", "max f_n" is "max f_{n,2}", and of "α, β, γ" it is β.

@@ -23,7 +23,7 @@ undefined is `null`; numbers of `validity` that the scene does not say enough fo
 
 `[]` stands for an index. Indices count from 0; balls, contacts and tips that are named in a value count from 1.
 Each key of a run with a unit is also a [column of a sweep](sweeps.md#columns): `contacts[1].impulse`. A column may have
-`[*]` for all indices. `.count` after an array is its length: `events.count`.
+`[*]` for all indices, `[-1]` for the last one. `.count` after an array is its length: `events.count`.
 
 Columns of `sweep.csv` are named by key and unit, `final.velocity[0] [m/s]`, as those of `trace.csv` are by symbol
 and unit; pure numbers and words have no brackets. `sweep.h5` has the bare keys, with `units`, `symbol` and

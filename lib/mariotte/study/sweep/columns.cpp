@@ -21,7 +21,7 @@ using impact::Quantity;
 constexpr Index most_elements = 16;  // of a longer array the ends stand for all, unless asked
 
 bool is_index(std::string_view text) {
-  return text == "*" || text.find_first_not_of("0123456789") == text.npos;
+  return text == "*" || text.find_first_not_of("0123456789", text.starts_with('-')) == text.npos;
 }
 
 /// What stands between the brackets of a key, one after the other; empty where it is no index.
@@ -94,6 +94,8 @@ Entry<Impact> entry_of(const std::string& key) {
   }
   if (impact::find_quantity<Impact>(parsed->pattern + "[]"))
     throw ColumnError(fmt::format("'{}' needs an index in brackets, from 0, or * for all", key));
+  if (key == "ending" || key == "reason")
+    throw ColumnError(fmt::format("'{}' is a column of every sweep, and needs no key", key));
   throw ColumnError(fmt::format("no result has '{}'{}", key, suggested_key<Impact>(key)));
 }
 
@@ -155,11 +157,10 @@ class Expansion {
   }
 
   /// Throws BeyondEnd if the model is too small for the index.
-  void expect(const std::string& key, const Entry<Impact>& entry, std::size_t level) const {
+  void expect(const std::string& key, Entry<Impact> entry, std::size_t level) const {
     const auto& array = *entry.arrays[level];
-    if (array.counted_by_run) return;
+    if (array.counted_by_run || impact::find_place(entry, result_, level + 1)) return;
     const Index count = array.count(result_, entry.at).value_or(0);
-    if (entry.at[level] < count) return;
     const auto name = array.is.key.substr(0, array.is.key.size() - 2);
     throw BeyondEnd(fmt::format("'{}' does not exist: {}{}", key,
                                 count == 0 ? fmt::format("this scene has no {}", name)
@@ -175,18 +176,14 @@ class Expansion {
   }
 
   /// Runs the scene if nothing less tells; 0 where an array around it has no such index.
-  Index length(const Entry<Impact>& entry, std::size_t level) {
-    for (std::size_t k = 0; k <= level; ++k) {
-      const auto& array = *entry.arrays[k];
-      if (array.counted_by_run && may_run_) {
-        result_ = impact::simulate(model_, run_);
-        may_run_ = false;
-      }
-      const Index count = array.count(result_, entry.at).value_or(0);
-      if (k == level) return count;
-      if (entry.at[k] >= count) return 0;
+  Index length(Entry<Impact> entry, std::size_t level) {
+    const auto last = entry.arrays.begin() + static_cast<std::ptrdiff_t>(level) + 1;
+    if (may_run_ && std::any_of(entry.arrays.begin(), last, [](auto* one) { return one->counted_by_run; })) {
+      result_ = impact::simulate(model_, run_);
+      may_run_ = false;
     }
-    return 0;
+    if (!impact::find_place(entry, result_, level)) return 0;
+    return entry.arrays[level]->count(result_, entry.at).value_or(0);
   }
 
   /// The numbers that say most, of whatever kind the result is.

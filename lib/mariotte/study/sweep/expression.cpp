@@ -19,6 +19,15 @@ void expect_no_assignment(const std::string& text) {
   }
 }
 
+/// A key may count from the end, as "final.velocity[-1]", and the parser would subtract there.
+constexpr std::string_view minus_of_index = "[-", as_name = "[~";
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != text.npos; at = text.find(from, at))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
 }  // namespace
 
 bool is_name(const std::string& text) try {
@@ -38,18 +47,21 @@ Expression::Expression(const std::string& text) try : parts_(std::make_unique<Pa
   expect_no_assignment(text);
   parts_->text = text;
   auto& parser = parts_->parser;
-  parser.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.[]");
+  parser.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.[]~");
   parser.DefineConst("pi", std::numbers::pi);
-  parser.SetExpr(text);
-  for (const auto& [name, place] : parser.GetUsedVar()) parts_->names.push_back(name);
-  parts_->numbers.resize(parts_->names.size(), 1);
-  for (std::size_t i = 0; i < parts_->names.size(); ++i)
-    parser.DefineVar(parts_->names[i], &parts_->numbers[i]);
+  parser.SetExpr(replaced(text, minus_of_index, as_name));
+  std::vector<std::string> used;
+  for (const auto& [name, place] : parser.GetUsedVar()) used.push_back(name);
+  parts_->numbers.resize(used.size(), 1);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    parser.DefineVar(used[i], &parts_->numbers[i]);
+    parts_->names.push_back(replaced(used[i], as_name, minus_of_index));
+  }
   int results = 0;
   parser.Eval(results);
   if (results != 1) throw ExpressionError("'" + text + "' has more than one value");
 } catch (const mu::ParserError& error) {
-  throw ExpressionError("cannot read '" + text + "': " + error.GetMsg());
+  throw ExpressionError("cannot read '" + text + "': " + replaced(error.GetMsg(), as_name, minus_of_index));
 }
 
 Expression::Expression(const Expression& other) : Expression(other.text()) {}
