@@ -7,7 +7,7 @@ from typing import Any, Optional, Sequence
 import numpy as np
 
 from . import _core
-from ._curves import Curves, Window
+from ._curves import Curves, Window, within
 from ._events import Event
 from ._figure import inside, label_axes, tick_events
 from ._numbers import Array
@@ -20,7 +20,7 @@ _TICKS = 16
 def draw_image(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, along: str, events: Sequence[Event],
                logarithmic: bool) -> None:
     """Colours of even lightness, a row per ball or contact, from 1."""
-    least, most = float(curves.values.min(initial=0)), float(curves.values.max(initial=0))
+    least, most = _range(curves, windows)
     factor, unit = _core.display([least, most], curves.unit)
     scale, time_unit = _core.display([windows[-1][1]], "s")
     norm = _norm(factor * least, factor * most, logarithmic)
@@ -42,6 +42,14 @@ def _number_lines(ax: Any, numbers: Optional[Sequence[int]]) -> None:
         return
     step = -(-len(numbers) // _TICKS)
     ax.set_yticks(range(1, len(numbers) + 1, step), [str(number) for number in numbers[::step]])
+
+
+def _range(curves: Curves, windows: Sequence[Window]) -> Window:
+    """Of what is shown, from zero unless all is far from it."""
+    values = curves.values[within(curves, windows)]
+    least, most = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
+    height = most - least
+    return (0.0 if 0 < least < height else least), (0.0 if 0 < -most < height else most)
 
 
 def _norm(least: float, most: float, logarithmic: bool) -> Any:

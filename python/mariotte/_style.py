@@ -29,9 +29,9 @@ def text_size(share: float = 1.0) -> float:
     return share * float(plt.rcParams["font.size"])
 
 
-def wrapped(title: str) -> str:
+def wrapped(title: str, letters: int = 48) -> str:
     """A title in lines that fit the figure, as those of the command."""
-    return textwrap.fill(title, 48, max_lines=3, placeholder=" …")
+    return textwrap.fill(title, letters, max_lines=3, placeholder=" …")
 
 
 def labelled(name: str, unit: str) -> str:
@@ -42,9 +42,9 @@ def labelled(name: str, unit: str) -> str:
 def mathtext(enhanced: str) -> str:
     """Indices, exponents and marks of gnuplot's enhanced text as matplotlib writes them."""
     def mark(found: "re.Match[str]") -> str:
-        plain, below, above, sign, braced, letter = found.groups()
+        plain, above, below, sign, braced, letter = found.groups()
         if below:
             return f"$_{{{below}}}^{{{above}}}$"
         return str(plain) if plain else f"${sign}{{{braced or letter}}}$"
 
-    return re.sub(r"\\(.)|@_\{([^}]*)\}\^\{([^}]*)\}|([_^])(?:\{([^}]*)\}|(\w))", mark, enhanced)
+    return re.sub(r"\\(.)|@\^\{([^}]*)\}_\{([^}]*)\}|([_^])(?:\{([^}]*)\}|(\w))", mark, enhanced)

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t most_cells = 250;  // along each axis, about a pixel of the screen
 constexpr double colour_bar = 108;       // pixels, with its numbers and name
+constexpr double width_of_digit = 8;     // more of that
+constexpr int least_digits = 5;
 constexpr double four_decades = 1e-4;
 
 /// How many balls share a cell.
@@ -42,23 +44,6 @@ std::vector<double> row_at(const HeatMap& map, double time) {
 
 double cell_length(const Window& window) {
   return (window.end - window.start) / static_cast<double>(most_cells);
-}
-
-std::string block(const HeatMap& map, const Window& window) {
-  const auto width = stride(map);
-  std::string text;
-  for (std::size_t j = 0; j < most_cells; ++j) {
-    const double from = window.start + static_cast<double>(j) * cell_length(window);
-    const double to = from + cell_length(window);
-    std::vector<double> cells((map.value.front().size() + width - 1) / width, 0);
-    pool(row_at(map, 0.5 * (from + to)), width, cells);
-    auto i =
-        static_cast<std::size_t>(std::lower_bound(map.time.begin(), map.time.end(), from) - map.time.begin());
-    for (; i < map.time.size() && map.time[i] < to; ++i) pool(map.value[i], width, cells);
-    for (std::size_t k = 0; k < cells.size(); ++k) append_rounded(cells[k], 5, text += k > 0 ? "," : "");
-    text += "\n";
-  }
-  return text + "\n\n";
 }
 
 /// What the colours stand for [SI].
@@ -102,6 +87,30 @@ Colours colours(const HeatMap& map, const TimeAxis& axis) {
   return all;
 }
 
+/// That colours can be told by: more of values that hardly differ.
+int digits(const Colours& shown) {
+  const double size = std::max(std::abs(shown.least), std::abs(shown.most)),
+               height = shown.most - shown.least;
+  return std::clamp(4 + static_cast<int>(std::ceil(std::log10(size / height))), least_digits, 14);
+}
+
+std::string block(const HeatMap& map, const Window& window, int digits) {
+  const auto width = stride(map);
+  std::string text;
+  for (std::size_t j = 0; j < most_cells; ++j) {
+    const double from = window.start + static_cast<double>(j) * cell_length(window);
+    const double to = from + cell_length(window);
+    std::vector<double> cells((map.value.front().size() + width - 1) / width, 0);
+    pool(row_at(map, 0.5 * (from + to)), width, cells);
+    auto i =
+        static_cast<std::size_t>(std::lower_bound(map.time.begin(), map.time.end(), from) - map.time.begin());
+    for (; i < map.time.size() && map.time[i] < to; ++i) pool(map.value[i], width, cells);
+    for (std::size_t k = 0; k < cells.size(); ++k) append_rounded(cells[k], digits, text += k > 0 ? "," : "");
+    text += "\n";
+  }
+  return text + "\n\n";
+}
+
 /// Numbers that are not those of the places have a tick each, as far as there is room.
 std::string number_ticks(const HeatMap& map) {
   constexpr std::size_t most_ticks = 16;
@@ -117,7 +126,8 @@ std::string number_ticks(const HeatMap& map) {
 
 std::string heat_map_data(const HeatMap& map, const TimeAxis& axis) {
   std::string text;
-  for (const auto& window : axis.windows) text += block(map, window);
+  const int shown = digits(colours(map, axis));
+  for (const auto& window : axis.windows) text += block(map, window, shown);
   return text;
 }
 
@@ -127,7 +137,7 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
   const auto height = static_cast<double>(stride(map));
   const auto bar = shown.logarithmic ? fmt::format("|{}|", map.quantity) : map.quantity;
   auto block = first_block;
-  const auto all = panels(axis.windows, colour_bar);
+  const auto all = panels(axis.windows, colour_bar + width_of_digit * (digits(shown) - least_digits));
   const auto inside = [&, count = map.value.front().size()](const Panel& panel) {
     const double length = cell_length(panel.window);
     const auto value = shown.logarithmic ? fmt::format("(abs($3)>{0:g}?{1:g}*abs($3):{1:g}*{0:g})",
@@ -144,9 +154,10 @@ std::string script(const HeatMap& map, const TimeAxis& axis, std::size_t first_b
                axis.display.factor * (panel.window.start + 0.5 * length), axis.display.factor * length,
                0.5 * (1 + height), height, value);
   };
-  return fmt::format("\n{}set cbrange [{:.6g}:{:.6g}]\nset cblabel '{} [{}]' offset 1.2,0\nunset grid\n",
+  return fmt::format("\n{}set cbrange [{:.{}g}:{:.{}g}]\nset cblabel '{} [{}]' offset 1.2,0\nunset grid\n",
                      shown.logarithmic ? "set logscale cb\nset format cb '10^{%T}'\n" : "",
-                     display.factor * shown.least, display.factor * shown.most, bar, display.unit) +
+                     display.factor * shown.least, 1 + digits(shown), display.factor * shown.most,
+                     1 + digits(shown), bar, display.unit) +
          on_panels(map.file, map.title, axis, all, inside) +
          "unset logscale\nset format cb '%h'\nunset colorbox\nset ytics autofreq\nset grid\n";
 }
