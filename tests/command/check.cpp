@@ -197,6 +197,10 @@ BOOST_FIXTURE_TEST_CASE(one_of_a_kind_is_no_plural, Session) {
 BOOST_FIXTURE_TEST_CASE(a_missing_file_and_a_folder_are_called_so, Session) {
   BOOST_TEST(has(mariotte("run nowhere.toml").err, "nowhere.toml: no such file [F001]"));
   BOOST_TEST(has(mariotte("run .").err, ".: is a folder [F001]"));
+  write("table.toml",
+        "[chain]\nmass = [1, 1]\nvelocity = [1, 0]\nlaw = 'tabulated'\ntable = 'nowhere.csv'\n");
+  BOOST_TEST(
+      has(mariotte("run table.toml").err, "table.toml:5:9: chain.table: nowhere.csv: no such file [F001]"));
 }
 
 BOOST_FIXTURE_TEST_CASE(an_angle_in_degrees_without_a_unit_is_told_so, Session) {

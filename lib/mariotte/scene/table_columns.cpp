@@ -45,13 +45,21 @@ double value(const Source& file, const std::vector<Cell>& row, const Column& col
   }
 }
 
+/// What keeps a table from being read is told at the key that names it.
+std::string text_of(const Source& source, const Field& path, const std::string& name) try {
+  return read_text(name);
+} catch (const FileError& error) {
+  throw FileError(where(source, path.place()) + ": " + path.path + ": " + error.what(), error.path,
+                  error.number);
+}
+
 }  // namespace
 
 Columns read_columns(const Source& source, const Field& path, const ColumnName& first,
                      const ColumnName& second) {
   const auto name = std::filesystem::path(source.name).parent_path() / text(source, path);
   const Source file{.name = name.string(), .origins = {}};
-  const auto table = parse_csv(file, read_text(file.name));
+  const auto table = parse_csv(file, text_of(source, path, file.name));
   const auto left = find_column(file, table.header, first.name),
              right = find_column(file, table.header, second.name);
   std::vector<ColumnsRow> rows;
