@@ -36,14 +36,6 @@ void expect_motion(const Source& source, const Field& chain, const model::Chain&
                  " are both walls (of infinite mass); a contact needs a ball");
 }
 
-void warn_of_rest(Source& source, const Field& chain, const model::Chain& model) {
-  const auto zero = [](double value) { return value == 0; };
-  const bool pressed = std::any_of(model.gap.begin(), model.gap.end(), [](double gap) { return gap < 0; });
-  if (model.gravity == 0 && !pressed && model.drive.empty() &&
-      std::all_of(model.velocity.begin(), model.velocity.end(), zero))
-    warn(source, chain, "nothing moves: no velocity, no gravity, no compressed contact");
-}
-
 /// Whether the row starts in static equilibrium; then its closed contacts are indented so.
 bool start_at_rest(const Source& source, const Field& chain, model::Chain& model) {
   constexpr std::array<std::string_view, 2> starts{"gaps", "equilibrium"};
@@ -121,7 +113,6 @@ ResolvedChain read_chain(Source& source, const Field& chain, const std::optional
   errors.raise();
   expect_motion(source, chain, model);
   const bool at_rest = start_at_rest(source, chain, model);
-  warn_of_rest(source, chain, model);
   return {std::move(model), radii(balls), touching(balls), at_rest};
 }
 

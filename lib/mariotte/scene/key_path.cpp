@@ -80,6 +80,9 @@ Node& element(Node& node, std::size_t index, const Path& path, const std::string
 std::string where_from(std::string_view name, const std::string& parent, const Table& known) {
   if (name == "stiffness")
     return " (it follows from radii and materials; a list, stiffness = [...], has elements that can vary)";
+  if (name == "gap") return " (one gap for all, or none, has no elements; a list, gap = [...], has)";
+  if (parent == "chain" && name != "ball" && find(known, "ball"))
+    return " (tables [[chain.ball]] say it of a ball: chain.ball[0]." + std::string(name) + ")";
   if (name != "contact" || parent.empty()) {
     std::vector<std::string_view> names;
     for (const auto& entry : known) names.push_back(entry.key);

@@ -1,5 +1,8 @@
 #include "mariotte/scene/model_reader.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "mariotte/model/bodies/bodies_setting.hpp"
 #include "mariotte/model/representable.hpp"
 #include "mariotte/scene/bodies_reader.hpp"
@@ -73,11 +76,21 @@ void expect_limit_of_drive(const Source& source, const Field& root, const Field&
            "what is driven never comes to an end; it needs 'run.until' or 'run.max_time'");
 }
 
+/// Of a chain or a network; `causes` are what could move it.
+void warn_of_rest(Source& source, const Field& whole, const auto& model, const char* causes) {
+  const auto is_zero = [](double value) { return value == 0; };
+  const bool pressed = std::any_of(model.gap.begin(), model.gap.end(), [](double gap) { return gap < 0; });
+  if (!pressed && model.drive.empty() && std::all_of(model.velocity.begin(), model.velocity.end(), is_zero))
+    warn(source, whole, std::string("nothing moves: ") + causes);
+}
+
 ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chain, Purpose purpose) {
   auto resolved = read_chain(source, chain, gravity(root));
   warn_of_idle_keys(source, chain);
   if (resolved.at_rest && purpose != Purpose::rest) expect_limit(source, root, chain);
   if (purpose != Purpose::rest) expect_limit_of_drive(source, root, chain);
+  if (purpose != Purpose::rest && resolved.chain.gravity == 0)
+    warn_of_rest(source, chain, resolved.chain, "no velocity, no gravity, no compressed contact");
   expect_valid(source, root, {"chain", "run"}, resolved.chain);
   return {std::move(resolved.chain), std::move(resolved.radius), std::move(resolved.touching)};
 }
@@ -86,7 +99,10 @@ ResolvedModel resolve_network(Source& source, const Field& root, const Field& ne
   if (const auto field = gravity(root)) reject(source, *field, fault::misplaced, "does not act on networks");
   auto resolved = read_network(source, network);
   warn_of_idle_keys(source, network);
-  if (purpose != Purpose::rest) expect_limit_of_drive(source, root, network);
+  if (purpose != Purpose::rest) {
+    expect_limit_of_drive(source, root, network);
+    warn_of_rest(source, network, resolved.network, "no velocity, no compressed contact");
+  }
   expect_valid(source, root, {"network"}, resolved.network);
   return {std::move(resolved.network), std::move(resolved.radius), std::move(resolved.touching),
           std::move(resolved.ball), resolved.reach};

@@ -127,13 +127,6 @@ model::Network read_freedoms(const Source& source, const Field& network, bool pr
   return model;
 }
 
-void warn_of_rest(Source& source, const Field& network, const model::Network& model) {
-  const auto zero = [](double value) { return value == 0; };
-  const bool pressed = std::any_of(model.gap.begin(), model.gap.end(), [](double gap) { return gap < 0; });
-  if (!pressed && model.drive.empty() && std::all_of(model.velocity.begin(), model.velocity.end(), zero))
-    warn(source, network, "nothing moves: no velocity, no compressed contact");
-}
-
 }  // namespace
 
 ResolvedNetwork read_network(Source& source, const Field& network) {
@@ -144,10 +137,8 @@ ResolvedNetwork read_network(Source& source, const Field& network) {
            "give either [[network.ball]], or 'mass', 'velocity' and [[network.contact]]");
   bool precompressed = false;
   if (const auto field = find(network, "precompressed")) precompressed = boolean(source, *field);
-  auto resolved = balls ? read_ball_network(source, network, precompressed)
-                        : ResolvedNetwork{read_freedoms(source, network, precompressed), {}};
-  warn_of_rest(source, network, resolved.network);
-  return resolved;
+  return balls ? read_ball_network(source, network, precompressed)
+               : ResolvedNetwork{read_freedoms(source, network, precompressed), {}};
 }
 
 }  // namespace mariotte::scene
