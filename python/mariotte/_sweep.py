@@ -129,7 +129,8 @@ class Sweep(Mapping[str, Array]):
 
 
 def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str, Sequence[str], None] = None,
-          accuracy: Optional[float] = None, threads: Optional[int] = None) -> Sweep:
+          accuracy: Optional[float] = None, until: Union[float, str, None] = None,
+          threads: Optional[int] = None) -> Sweep:
     """Simulate a scene for all values of some of its keys.
 
     Other threads of Python run meanwhile; Ctrl-C ends it.
@@ -147,6 +148,8 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
         ``contacts[1].peak_force`` and ``events.count``. Without any those that say most.
     accuracy : float, optional
         Goes before what the scene says.
+    until : float or str, optional
+        End of every run [s], instead of `run.until` of the scene. Long rows rattle on for long after a wave.
     threads : int, optional
         How many points at once; one per core that this process may use.
 
@@ -178,6 +181,8 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
     """
     if accuracy is not None:
         scene = scene.replace({"run.accuracy": number(accuracy, "accuracy")})
+    if until is not None:
+        scene = scene.replace({"run.until": until})
     scene._expect_text()
     listed = _axes(scene, axes or {})
     if isinstance(scene, Chain):

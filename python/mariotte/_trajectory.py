@@ -12,6 +12,9 @@ if TYPE_CHECKING:
     from ._impact import Impact
 
 
+_ROUNDED = 1 + 1e-15  #: the end of a run may lie so far before what was asked for
+
+
 class Samples(NamedTuple):
     """A row per time."""
 
@@ -44,8 +47,10 @@ class Trajectory:
     def at(self, t: Numbers) -> "Samples":
         """All of it at times `t` of any shape, in one run: (…, n) or, of bodies, (…, n, d), and (…, m)."""
         times = numbers(t, "s")
-        if times.size and not (times.min() >= 0 and times.max() <= self._impact.time):
-            raise ValueError(f"times lie between 0 and {self._impact.time} s, the end of the run")
+        end = self._impact.time
+        if times.size and not (times.min() >= 0 and times.max() <= end * _ROUNDED):
+            raise ValueError(f"times lie between 0 and {end} s, the end of the run")
+        times = np.minimum(times, end)
         order, back = np.unique(times, return_inverse=True)
         _, velocity, gap, force = self._impact._run.sample(order)
         velocity = velocity.reshape(len(order), *self._impact.velocity.shape)

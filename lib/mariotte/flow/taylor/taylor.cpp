@@ -39,8 +39,8 @@ bool concerns_problem(const Window& w, const taylor::Values& values) {
   return any;
 }
 
-/// Branches that are no powers have a series of their own, from the start of a contact on: either all contacts
-/// that push have one, or none. That series has no powers of other depths.
+/// Branches that are no powers have a series of their own, from the start of a contact on: either all
+/// contacts that push have one, or none. That series has no powers of other depths.
 bool are_alike(const std::vector<PhaseContact>& contacts) {
   const auto count = [&](auto&& is_one) { return std::count_if(contacts.begin(), contacts.end(), is_one); };
   const auto wide = count([](const PhaseContact& c) { return c.pushes() && c.width; });
