@@ -32,7 +32,9 @@ def draw_image(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, a
         _number_lines(ax, curves.numbers)
         tick_events(ax, inside((start, end), events), scale)
     bar = f"|{curves.quantity}|" if logarithmic else curves.quantity
-    axes[-1].figure.colorbar(image, ax=axes[-1], label=f"{bar} [{unit}]")
+    beside = axes[-1].figure.colorbar(image, ax=axes[-1], label=f"{bar} [{unit}]")
+    if not logarithmic:
+        beside.formatter.set_useOffset(False)
     label_axes(axes, f"time t [{time_unit}]", along)
 
 

@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 
 _MOST_CURVES = 12  # more are an image
 _MOST_OF_A_FAMILY = 7  # values of a sweep that have a curve each; of more there is a map
-_LETTERS_BESIDE_COLOURS = 36  # of a title above a map
 _AXES = "xyz"
 
 
@@ -305,7 +304,7 @@ class SweepPlot:
         for axis, along in (("y", up), ("x", right)):
             if _is_logarithmic(along):
                 getattr(ax, f"set_{axis}scale")("log")
-        ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title, _LETTERS_BESIDE_COLOURS))
+        ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
     def _along(self, axis: int) -> Tuple[str, Array]:

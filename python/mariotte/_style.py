@@ -29,9 +29,9 @@ def text_size(share: float = 1.0) -> float:
     return share * float(plt.rcParams["font.size"])
 
 
-def wrapped(title: str, letters: int = 48) -> str:
-    """A title in lines that fit the figure, as those of the command."""
-    return textwrap.fill(title, letters, max_lines=3, placeholder=" …")
+def wrapped(title: str) -> str:
+    """A title in lines that fit a figure of one column, beside a colour bar as well."""
+    return textwrap.fill(title, 36, max_lines=3, placeholder=" …")
 
 
 def labelled(name: str, unit: str) -> str:

@@ -132,6 +132,13 @@ def test_forces_are_drawn_per_contact(cradle):
     assert ax.get_xlabel() == "time t [µs]" and ax.get_title() == "Five steel balls"
 
 
+def test_colours_of_a_pressed_row_are_those_of_its_forces():
+    hit = mt.simulate(mt.load(SCENES / "driven_row.toml"))
+    least, most = hit.plot.forces().images[0].get_clim()
+    forces = hit.trajectory.force(np.linspace(0, hit.time, 500))
+    assert least == pytest.approx(forces.min(), rel=0.01) and most == pytest.approx(forces.max(), rel=0.01)
+
+
 def test_long_titles_stay_in_their_figure(cradle):
     title = "Five steel balls that hang from threads on a cold morning in a laboratory far away from here"
     ax = mt.simulate(cradle.scene.replace({"title": title})).plot.forces()

@@ -25,6 +25,21 @@ def test_columns_have_the_shape_of_the_grid(triplet):
     assert grid.keys_of("velocity") == [f"final.velocity[{i}]" for i in range(3)]
 
 
+def test_the_last_ball_has_a_column_whatever_the_number():
+    row = mt.Chain(balls=3, mass=1, stiffness=1, law="hertz", ball=[{"number": 1, "velocity": 1}])
+    grid = mt.sweep(row, {"balls": [2, 5]}, columns=["final.velocity[-1]"])
+    for balls, last in zip((2, 5), grid["final.velocity[-1]"]):
+        hit = mt.simulate(row.replace({"balls": balls}))
+        assert last == pytest.approx(hit.velocity[-1], abs=1e-12) and hit["final.velocity[-1]"] == hit.velocity[-1]
+    with pytest.raises(KeyError, match="it has 5 of final.velocity"):
+        hit["final.velocity[-6]"]
+
+
+def test_runs_of_a_sweep_end_when_asked(triplet):
+    grid = mt.sweep(triplet, {"velocity[0]": [0.1, 1]}, columns="time", until="1 us")
+    assert grid["time"] == pytest.approx([1e-6, 1e-6]) and (grid.ending == mt.Ending.time_limit).all()
+
+
 def test_every_point_is_that_of_a_single_run(triplet):
     grid = mt.sweep(triplet, AXES, columns=["velocity", "time"])
     for i, speed in enumerate(AXES["velocity[0]"]):

@@ -64,6 +64,11 @@ def test_times_outside_the_run_are_refused(t, triplet):
         mt.simulate(triplet).force(t)
 
 
+def test_the_end_that_was_asked_for_is_inside(triplet):
+    for end in np.linspace(1e-6, 9e-6, 40):
+        assert mt.simulate(triplet, until=end).trajectory.force([0, end]).shape == (2, 2)
+
+
 def test_the_largest_sample_is_the_peak(triplet):
     hit = mt.simulate(triplet)
     steps = hit.trajectory.steps()
