@@ -115,6 +115,19 @@ void tell_empty_window(double end, const scene::Scene& scene) {
                         (*window)[0], end));
 }
 
+/// Chosen balls or contacts that a chain does not have.
+void tell_missing(const std::vector<Index>& chosen, Index count, const char* what) {
+  for (const Index number : chosen)
+    if (number > count)
+      warning(fmt::format("figure.{0}: {1} is left out, the last is {2}", what, number, count));
+}
+void tell_missing(const scene::Scene& scene) {
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  if (!chain) return;
+  tell_missing(scene.figure.balls, std::ssize(chain->mass), "balls");
+  tell_missing(scene.figure.contacts, std::ssize(chain->law), "contacts");
+}
+
 /// Writes the files of a run, and says which; `waves...` is the image that only chains have.
 template <class Impact, class... Waves>
 void write(const Run& options, const Impact& impact, const scene::Scene& scene, Waves... waves) {
@@ -123,6 +136,7 @@ void write(const Run& options, const Impact& impact, const scene::Scene& scene, 
         "cannot write into " + options.out + ": another run has written there meanwhile (--force overwrites)",
         fault::exists);
   if (!options.scene.quiet) tell_empty_window(end_of(impact), scene);
+  if (!options.scene.quiet) tell_missing(scene);
   const auto shortfall = write_result_folder(options.out, additions(options, scene), impact, scene, waves...);
   if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);
   if (options.report) write_report_page(options.out, read_result(options.out));

@@ -61,7 +61,7 @@ py::tuple picture(const Impact& impact) {
   const auto [action, moving, unit] = seen(*traced);
   const auto axis = report::time_axis(action, {}, figure);
   return py::make_tuple(friction(*traced), pairs(axis.windows), pairs(report::axis_of_forces(axis).windows),
-                        axis.note, figure.logarithmic, moving, unit);
+                        axis.note, figure.logarithmic, moving, unit, figure.balls, figure.contacts);
 }
 
 /// A row per sample, three numbers for each of `count`.

@@ -28,6 +28,17 @@ class Curves(NamedTuple):
     numbers: Optional[List[int]] = None  #: of the lines of an image; None: from 1
 
 
+def chosen(curves: Curves, numbers: Sequence[int], width: int = 1) -> Curves:
+    """The curves of these balls or contacts alone, `width` each; all where there are none of them."""
+    known = curves.numbers or range(1, len(curves.names) // width + 1)
+    place_of = {number: place for place, number in enumerate(known)}
+    kept = [number for number in numbers if number in place_of]
+    columns = [width * place_of[number] + k for number in kept for k in range(width)]
+    if not columns:
+        return curves
+    return curves._replace(names=[curves.names[k] for k in columns], values=curves.values[:, columns], numbers=kept)
+
+
 def line_style(place: int) -> Dict[str, Any]:
     """How the line of this number is drawn."""
     return {"color": _COLOURS[place % len(_COLOURS)], "linestyle": _DASHES[place % len(_DASHES)]}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from . import _core
 from ._bodies import BodiesImpact
 from ._columns import key_of_result
 from ._components import component_curves
-from ._curves import Curves, Window, line_style
+from ._curves import Curves, Window, chosen, line_style
 from ._figure import draw_curves, make_panels
 from ._image import draw_image
 from ._numbers import Array, Numbers, numbers
@@ -46,10 +46,10 @@ class ImpactPlot:
     def __init__(self, impact: "Impact") -> None:
         self._impact = impact
 
-    def forces(self, ax: Optional[Any] = None) -> Any:
-        """Forces of contacts or tips over time; an image of more than twelve."""
+    def forces(self, ax: Optional[Any] = None, *, contacts: Optional[Sequence[int]] = None) -> Any:
+        """Forces of contacts or tips over time, or of some `contacts`, from 0; an image of more than twelve."""
         samples = self._impact.trajectory.steps()
-        friction, windows, of_forces, note, logarithmic, _, _ = _core.picture(self._impact._run)
+        friction, windows, of_forces, note, logarithmic, _, _, _, own = _core.picture(self._impact._run)
         values, quantity = samples.force, "contact force f"
         names = names_of_contacts(self._impact, values.shape[1])
         closed = _closed(self._impact)
@@ -59,23 +59,29 @@ class ImpactPlot:
             values, names = _with_friction(values, friction)
             quantity = "force on a tip F"
         curves = Curves(quantity, "N", names, True, samples.time, values, closed and [j + 1 for j in closed])
-        if ax is not None or values.shape[1] > _MOST_CURVES or len(of_forces) == len(windows):
+        if not isinstance(self._impact.scene, Body):
+            curves = chosen(curves, own if contacts is None else [j + 1 for j in contacts])
+        if ax is not None or curves.values.shape[1] > _MOST_CURVES or len(of_forces) == len(windows):
             return self._draw(curves, windows, "contact j", logarithmic, ax)
         return self._draw(curves, of_forces, "contact j", logarithmic, ax, note)
 
-    def velocities(self, ax: Optional[Any] = None) -> Any:
-        """Velocities over time; an image of more than twelve, of speeds in the plane and in space."""
+    def velocities(self, ax: Optional[Any] = None, *, balls: Optional[Sequence[int]] = None) -> Any:
+        """Velocities over time, or of some `balls`, from 0; an image of more than twelve, of speeds in the plane and
+        in space."""
         samples = self._impact.trajectory.steps()
-        _, windows, _, _, logarithmic, moving, unit = _core.picture(self._impact._run)
+        _, windows, _, _, logarithmic, moving, unit, own, _ = _core.picture(self._impact._run)
+        wanted = own if balls is None else [i + 1 for i in balls]
+        if isinstance(self._impact.scene, Body):
+            wanted = []
         values = samples.velocity.reshape(len(samples.time), -1)
         dimension = dimension_of(self._impact.scene)
         names, quantity = names_of_velocities(self._impact.scene, moving, values.shape[1]), "velocity v"
         if isinstance(self._impact.scene, Body):
             quantity = "velocity of centre v"
-        elif dimension > 1 and values.shape[1] > _MOST_CURVES:
+        elif dimension > 1 and (dimension * len(wanted) or values.shape[1]) > _MOST_CURVES:
             values, quantity = np.linalg.norm(values.reshape(len(values), -1, dimension), axis=2), "speed v"
-            names = [f"{moving} {i + 1}" for i in range(values.shape[1])]
-        curves = Curves(quantity, unit, names, False, samples.time, values)
+            names, dimension = [f"{moving} {i + 1}" for i in range(values.shape[1])], 1
+        curves = chosen(Curves(quantity, unit, names, False, samples.time, values), wanted, dimension)
         return self._draw(curves, windows, "ball i", logarithmic, ax)
 
     def friction(self, ax: Optional[Any] = None) -> Any:
@@ -101,7 +107,7 @@ class ImpactPlot:
         count = curves.values.shape[1]
         if count == 0:
             raise ValueError(f"there is no {curves.quantity.split()[0]}")
-        _, windows, of_forces, note, logarithmic, _, _ = _core.picture(self._impact._run)
+        _, windows, of_forces, note, logarithmic, *_ = _core.picture(self._impact._run)
         if curves.at_peak and ax is None and count <= _MOST_CURVES:
             return self._draw(curves, of_forces, along, logarithmic, ax, note if of_forces != windows else "")
         return self._draw(curves, windows, along, logarithmic, ax)

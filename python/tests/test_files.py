@@ -139,6 +139,16 @@ def test_colours_of_a_pressed_row_are_those_of_its_forces():
     assert least == pytest.approx(forces.min(), rel=0.01) and most == pytest.approx(forces.max(), rel=0.01)
 
 
+def test_some_contacts_of_a_long_row_are_curves():
+    row = mt.load(SCENES / "struck_row.toml").replace({"chain.balls": 21, "figure.contacts": [1, 20]})
+    labels = lambda ax: [line.get_label() for line in ax.lines if not line.get_label().startswith("_")]
+    hit = mt.simulate(row)
+    assert labels(hit.plot.forces()) == ["$f_{1}$", "$f_{20}$"]
+    assert labels(hit.plot.forces(contacts=[4])) == ["$f_{5}$"]
+    assert labels(hit.plot.velocities(balls=[0, 12])) == ["ball 1", "ball 13"]
+    assert hit.plot.velocities().images
+
+
 def test_long_titles_stay_in_their_figure(cradle):
     title = "Five steel balls that hang from threads on a cold morning in a laboratory far away from here"
     ax = mt.simulate(cradle.scene.replace({"title": title})).plot.forces()

@@ -59,6 +59,29 @@ BOOST_AUTO_TEST_CASE(more_than_six_balls_in_the_plane_are_shown_by_their_speeds)
   }
 }
 
+BOOST_AUTO_TEST_CASE(chosen_balls_and_contacts_of_a_long_row_are_curves) {
+  auto trace = trace_of(20);
+  trace.velocity[0][19] = 7;
+  const auto plot = report::plot(impact_of(trace), "", {}, {.balls = {20, 1, 99}, .contacts = {3}});
+  BOOST_TEST(has(plot.script, "'ball 20' at"));
+  BOOST_TEST(has(plot.script, "'f_{3}' at"));
+  BOOST_TEST(!has(plot.script, "with image"));
+  BOOST_TEST(has(plot.data, "\n1,0,7\n"));
+  BOOST_TEST(has(report::plot(impact_of(trace), "", {}, {.balls = {99}}).script, "with image"));
+}
+
+BOOST_AUTO_TEST_CASE(chosen_balls_in_the_plane_keep_their_components_or_are_speeds) {
+  const auto script = [](const std::vector<Index>& balls) {
+    auto trace = trace_of(40);
+    trace.velocity[0][38] = 7;
+    return report::plot(impact_of(trace), "", {.velocities = {}, .contacts = {}, .dimension = 2},
+                        {.balls = balls})
+        .script;
+  };
+  BOOST_TEST(has(script({20}), "'ball 39' at"));
+  BOOST_TEST(has(script({1, 2, 3, 4, 5, 6, 20}), "'ball 20' at"));
+}
+
 BOOST_AUTO_TEST_CASE(colours_of_images_are_logarithmic_on_demand) {
   impact::ChainImpact impact;
   impact.trace = trace_of(14);

@@ -36,6 +36,15 @@ BOOST_AUTO_TEST_CASE(window_colours_and_contours_are_read) {
   BOOST_TEST((figure.logarithmic && figure.contours == 7));
 }
 
+BOOST_AUTO_TEST_CASE(balls_and_contacts_are_chosen_by_their_numbers) {
+  const auto figure = figure_of("balls = [2, 1]\ncontacts = [1]");
+  BOOST_TEST(figure.balls == (std::vector<Index>{2, 1}), boost::test_tools::per_element());
+  BOOST_TEST(figure.contacts == std::vector<Index>{1}, boost::test_tools::per_element());
+  for (const char* wrong : {"balls = []", "balls = 2", "balls = [0]", "balls = [1.5]", "contacts = [3, 3]",
+                            "balls = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13]"})
+    BOOST_TEST(problem_of(wrong).find("f.toml:7:") == 0u, wrong);
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_no_figure_is_refused_where_it_stands) {
   BOOST_TEST(problem_of("window = [2, 1]").find("f.toml:7:") == 0u);
   BOOST_TEST(problem_of("window = [2, 1]").find("must end after it begins") != std::string::npos);

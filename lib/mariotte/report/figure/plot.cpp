@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mariotte/report/figure/gnuplot.hpp"
 #include "mariotte/report/figure/heat_map.hpp"
@@ -108,25 +109,56 @@ Rows speeds(const Rows& velocity, std::size_t dimension) {
   return rows;
 }
 
-Series velocities(const impact::Trace& trace, const CurveNames& names) {
+/// The place of a ball or contact among the lines of a series.
+std::size_t place_of(Index number, const std::vector<Index>& numbers) {
+  if (numbers.empty()) return static_cast<std::size_t>(number) - 1;
+  return static_cast<std::size_t>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin());
+}
+
+/// Leaves these balls or contacts alone, of `width` columns each, or all where it has none of them.
+void choose(const std::vector<Index>& chosen, std::size_t width, Series& series) {
+  std::vector<std::size_t> columns;
+  std::vector<Index> numbers;
+  for (const Index number : chosen) {
+    const auto first = width * place_of(number, series.number);
+    if (first + width > series.name.size()) continue;
+    numbers.push_back(number);
+    for (std::size_t k = 0; k < width; ++k) columns.push_back(first + k);
+  }
+  if (columns.empty()) return;
+  const auto pick = [&](auto& all) {
+    auto every = std::exchange(all, {});
+    for (const auto column : columns) all.push_back(std::move(every[column]));
+  };
+  for (auto& row : series.rows) pick(row);
+  pick(series.name);
+  series.number = std::move(numbers);
+}
+
+Series velocities(const impact::Trace& trace, const CurveNames& names, const std::vector<Index>& chosen) {
   const auto count = columns_of(trace.velocity);
   Series series{"velocities",  "velocity v",     "ball i",      trace.velocity_unit,
                 Names::at_end, names.velocities, trace.velocity};
   if (series.name.empty()) series.name = numbered((trace.moving + " {}").c_str(), count);
   const auto dimension = static_cast<std::size_t>(names.dimension);
-  if (count <= most_curves || dimension < 2) return series;
-  series.quantity = "speed v";
-  series.name = numbered("ball {}", count / dimension);
-  series.rows = speeds(trace.velocity, dimension);
+  const bool are_few = (chosen.empty() ? count : chosen.size() * dimension) <= most_curves;
+  if (dimension > 1 && !are_few) {
+    series.quantity = "speed v";
+    series.name = numbered("ball {}", count / dimension);
+    series.rows = speeds(trace.velocity, dimension);
+  }
+  choose(chosen, are_few ? dimension : 1, series);
   return series;
 }
 
-Series forces(const impact::Trace& trace, const CurveNames& names) {
-  return {
+Series forces(const impact::Trace& trace, const CurveNames& names, const std::vector<Index>& chosen) {
+  Series series{
       "forces",       "contact force f",
       "contact j",    "N",
       Names::at_peak, names.contacts.empty() ? numbered("f_{{{}}}", columns_of(trace.force)) : names.contacts,
       trace.force,    names.numbers};
+  choose(chosen, 1, series);
+  return series;
 }
 
 }  // namespace
@@ -137,8 +169,8 @@ RunPlot plot(const impact::ContactImpact& impact, const std::string& title, cons
   RunPlot plot{
       .data = "", .script = script_head(), .axis = time_axis(action_of(trace), impact.events, figure)};
   Writer writer(trace.time, title, figure, plot);
-  writer.add(velocities(trace, names));
-  writer.add(forces(trace, names));
+  writer.add(velocities(trace, names, figure.balls));
+  writer.add(forces(trace, names, figure.contacts));
   for (const auto& series : more) writer.add(series);
   return plot;
 }
