@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mariotte/impact/sensitivity/microbody_rest.hpp"
@@ -31,9 +33,14 @@ constexpr std::array<Reading, 8> readings{{{"normal_velocity", "m/s"},
                                            {"e_nm", "1"}}};
 using Readings = std::array<double, readings.size()>;
 
+/// Velocities and spins at the end, then normal velocities behind and before the first impact, of the tip and
+/// of the mass centre, whose quotients are the restitutions.
+constexpr std::size_t at_end = 6, quotients = 2;
+using Motions = std::array<double, at_end + 2 * quotients>;
+
 /// `first` is the state at the end of the first impact.
-Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& layout, ConstState start,
-              ConstState first, ConstState end) {
+Motions motions(const DimensionlessMicrobody& body, const model::MicrobodyLayout& layout, ConstState start,
+                ConstState first, ConstState end) {
   const model::Mechanics mechanics{body, layout};
   const Vector3 v = vector_at(end, layout.place.velocity), w = mechanics.spin(end),
                 before = vector_at(start, layout.place.velocity),
@@ -45,8 +52,31 @@ Readings read(const DimensionlessMicrobody& body, const model::MicrobodyLayout& 
           turn * w.e1,
           turn * w.e2,
           turn * w.e3,
-          -mechanics.tip(first, 0).velocity / mechanics.tip(start, 0).velocity,
-          -behind.e1 / before.e1};
+          mechanics.tip(first, 0).velocity,
+          mechanics.tip(start, 0).velocity,
+          behind.e1,
+          before.e1};
+}
+
+Readings readings_of(const Motions& all) {
+  Readings read;
+  std::copy_n(all.begin(), at_end, read.begin());
+  for (std::size_t i = 0; i < quotients; ++i)
+    read[at_end + i] = -all[at_end + 2 * i] / all[at_end + 2 * i + 1];
+  return read;
+}
+
+/// Slopes of readings from those of motions. Differences of quotients would step across poles: a spin may
+/// nearly stop the tip that strikes.
+Readings slopes_of(const Motions& all, const Motions& slopes) {
+  const auto values = readings_of(all);
+  Readings by;
+  std::copy_n(slopes.begin(), at_end, by.begin());
+  for (std::size_t i = 0; i < quotients; ++i) {
+    const auto out = at_end + 2 * i, in = out + 1;
+    by[at_end + i] = -(slopes[out] + values[at_end + i] * slopes[in]) / all[in];
+  }
+  return by;
 }
 
 /// What readings are compared with.
@@ -121,7 +151,7 @@ class BodySlopes {
     return end;
   }
 
-  Readings moved(Index c, std::size_t k) const {
+  Motions moved(Index c, std::size_t k) const {
     const double by = stencil[k].offset * shifted_[c].step;
     const auto end = at_the_end();
     std::vector<double> before = x0_, first = opening_.state, after = end.state;
@@ -130,19 +160,22 @@ class BodySlopes {
       first[r] += by * opening_.slopes(r, c);
       after[r] += by * end.slopes(r, c);
     }
-    return read(shifted_[c].at[k], layout_, before, first, after);
+    return motions(shifted_[c].at[k], layout_, before, first, after);
   }
 
   void add_readings() {
-    const auto values = read(system_.body(), layout_, x0_, opening_.state, end_.run.state);
+    const auto found = motions(system_.body(), layout_, x0_, opening_.state, end_.run.state);
+    const auto values = readings_of(found);
     for (std::size_t i = 0; i < readings.size(); ++i)
       result_.outcome.push_back({readings[i].name, {}, readings[i].unit, values[i], {}});
     for (Index c = 0; c < start_.columns; ++c) {
-      std::array<Readings, stencil.size()> all;
+      std::array<Motions, stencil.size()> all;
       for (std::size_t k = 0; k < stencil.size(); ++k) all[k] = moved(c, k);
-      for (std::size_t i = 0; i < readings.size(); ++i)
-        result_.outcome[i].slope.push_back(
-            stencil_slope(shifted_[c].step, [&](std::size_t k) { return all[k][i]; }));
+      Motions slopes;
+      for (std::size_t i = 0; i < slopes.size(); ++i)
+        slopes[i] = stencil_slope(shifted_[c].step, [&](std::size_t k) { return all[k][i]; });
+      const auto by = slopes_of(found, slopes);
+      for (std::size_t i = 0; i < readings.size(); ++i) result_.outcome[i].slope.push_back(by[i]);
     }
   }
 
@@ -155,8 +188,8 @@ class BodySlopes {
     for (std::size_t r = 0; r < later.size(); ++r) later[r] += little * body.time * end_.rate[r];
     const bool ends_first = opening_.time < end_.run.time;
     const auto &last = end_.run.state, &first = ends_first ? opening_.state : later;
-    const auto before = read(body, layout_, x0_, ends_first ? first : last, last),
-               after = read(body, layout_, x0_, first, later);
+    const auto before = readings_of(motions(body, layout_, x0_, ends_first ? first : last, last)),
+               after = readings_of(motions(body, layout_, x0_, first, later));
     const auto natural = natural_sizes(body);
     Names names;
     if (!ends_first) names.push_back("contact_time");

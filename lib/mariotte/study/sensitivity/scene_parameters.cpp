@@ -94,7 +94,7 @@ std::vector<impact::Parameter<model::Microbody>> all_of_body(const Document& doc
       continue;  // the scene does not give it
     }
     if (number && number->value != 0 && std::isfinite(number->value))
-      list.push_back(scene_parameter<model::Microbody>(document, name, key, *number));
+      list.push_back(number_of_scene<model::Microbody>(document, name, key));
   }
   return list;
 }
