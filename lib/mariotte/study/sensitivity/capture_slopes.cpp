@@ -20,8 +20,12 @@ namespace {
 using Slope = std::optional<double>;
 
 constexpr double accuracy = 1e-12, tolerance = 1e-14;
-/// Speeds above v_c, relative to it: the least, and each the double of the one before.
-constexpr double least_distance = 1e-4;
+/// Speeds above v_c, relative to it: the least, and each the double of the one before. Nearer ones are less
+/// exact, and needed where the course of events changes next to v_c.
+constexpr std::array least_distances{1e-4, 1e-5, 1e-6, 1e-7};
+/// The square of the rebound vanishes at v_c but for that share of it at the least distance, unless its
+/// course changes between.
+constexpr double vanished = 1e-4;
 constexpr std::array powers{1.0, 1.5, 2.0};
 constexpr std::size_t speeds = powers.size() + 1;
 /// Quotients that the last power changes by more than that are not known so well.
@@ -106,28 +110,33 @@ Strike strike(const scene::Document& document, const Keys& keys, const impact::S
   return result;
 }
 
-/// Of what vanishes at v_c: the restitution of the tip, or the speed at which two bodies part.
-std::vector<Slope> rebound(const impact::Sensitivity& of_run) {
+/// What vanishes at v_c: the restitution of the tip, or the speed at which two bodies part.
+struct Rebound {
+  Slope value;
+  std::vector<Slope> slope;
+};
+
+Rebound rebound(const impact::Sensitivity& of_run) {
   const auto& all = of_run.outcome;
   const auto restitution =
       std::find_if(all.begin(), all.end(), [](const auto& one) { return one.name == "e_n"; });
-  if (restitution != all.end()) return restitution->slope;
-  std::vector<Slope> list;
+  if (restitution != all.end()) return {restitution->value, restitution->slope};
+  const auto &left = all[0], &right = all[1];  // velocities
+  Rebound parting{*right.value - *left.value, {}};
   for (std::size_t p = 0; p < of_run.parameter.size(); ++p) {
-    const auto &left = all[0].slope[p], &right = all[1].slope[p];  // of both velocities
-    list.push_back(left && right ? Slope(*right - *left) : std::nullopt);
+    const auto &of_left = left.slope[p], &of_right = right.slope[p];
+    parting.slope.push_back(of_left && of_right ? Slope(*of_right - *of_left) : std::nullopt);
   }
-  return list;
+  return parting;
 }
 
 /// −(∂e/∂p)/(∂e/∂v) by each parameter.
-std::vector<Slope> quotients(const impact::Sensitivity& of_run) {
-  auto list = rebound(of_run);
-  const auto by_speed = list.back();
-  list.pop_back();
-  for (auto& one : list)
+std::vector<Slope> quotients(std::vector<Slope> of_rebound) {
+  const auto by_speed = of_rebound.back();
+  of_rebound.pop_back();
+  for (auto& one : of_rebound)
     if (one) one = by_speed ? Slope(*one == 0 ? 0 : -*one / *by_speed) : std::nullopt;
-  return list;
+  return of_rebound;
 }
 
 /// The limit of what is known at distances that double; empty if some value is missing.
@@ -145,6 +154,33 @@ Limit limit(std::array<Slope, speeds> at) {
     for (std::size_t i = 0; i + k + 1 < speeds; ++i) at[i] = (factor * *at[i] - *at[i + 1]) / (factor - 1);
   }
   return {at[0], std::abs(*at[0] - before) / std::max(std::abs(*at[0]), 1e-300)};
+}
+
+/// Quotients at the speeds above v_c, and whether the rebound has one course from there down to v_c.
+struct Near {
+  std::array<std::vector<Slope>, speeds> quotient;
+  bool is_even;
+};
+
+Near look(const Run& run, double capture_velocity, double least_distance) {
+  Near near;
+  std::array<Slope, speeds> square;
+  for (std::size_t i = 0; i < speeds; ++i) {
+    auto found = rebound(run(capture_velocity * (1 + std::ldexp(least_distance, static_cast<int>(i)))));
+    square[i] = found.value ? Slope(*found.value * *found.value) : std::nullopt;
+    near.quotient[i] = quotients(std::move(found.slope));
+  }
+  const auto left = limit(square).value;
+  near.is_even = left && std::abs(*left) <= vanished * *square[0];
+  return near;
+}
+
+/// As far from v_c as the rebound has one course.
+Near look(const Run& run, double capture_velocity) {
+  Near near;
+  for (const double distance : least_distances)
+    if (near = look(run, capture_velocity, distance); near.is_even) break;
+  return near;
 }
 
 /// Without keys, what has no effect is left out.
@@ -174,15 +210,19 @@ impact::Sensitivity sensitivity_of_capture(const scene::Document& document, cons
   const auto [asked, run] = strike(tight, keys, watch);
   const auto found = capture_velocity(tight, tolerance, watch);
   if (!found) throw scene::SceneError(document.source.name + ": " + no_capture_velocity, fault::no_capture);
-  std::array<std::vector<Slope>, speeds> near;
-  for (std::size_t i = 0; i < speeds; ++i)
-    near[i] = quotients(run(found->value() * (1 + std::ldexp(least_distance, static_cast<int>(i)))));
+  const auto near = look(run, found->value());
   impact::Sensitivity result;
+  result.in_doubt = !near.is_even;
+  if (result.in_doubt)
+    result.notes.push_back(
+        {"contacts slip, stick or part in another order next to the capture velocity: slopes "
+         "may be those of another order, and wrong"});
   result.ending = hybrid::Ending::separated;
   result.outcome.push_back({capture_velocity_name, {}, "m/s", found->value()});
   for (std::size_t p = 0; p < asked.size(); ++p)
     if (is_shown(asked[p].parameter, keys))
-      add(limit({near[0][p], near[1][p], near[2][p], near[3][p]}), asked[p], result);
+      add(limit({near.quotient[0][p], near.quotient[1][p], near.quotient[2][p], near.quotient[3][p]}),
+          asked[p], result);
   return result;
 }
 
