@@ -14,7 +14,7 @@ using Values = std::vector<double>;
 const double farthest = std::log(1000.0);
 constexpr double first = 1;       // x of the value that a search starts from
 constexpr double bent = 0.2;      // standard error / value from which residuals bend
-constexpr double precise = 0.01;  // relative to the distance of an end, or to its value if that is less
+constexpr double precise = 1e-4;  // relative to the distance of an end, or to its value if that is less
 constexpr double roughly = 1e-4;  // tolerance of searches that only compare with a bound
 
 Values without(std::span<const double> x, std::size_t j) {
