@@ -72,7 +72,10 @@ BOOST_AUTO_TEST_CASE(an_override_may_not_smuggle_in_more_than_one_value) {
 BOOST_AUTO_TEST_CASE(a_path_that_leads_nowhere_is_named) {
   BOOST_TEST(complaint("chain.velocity[9]=2") ==
              "--set chain.velocity[9]: no element 9: 'chain.velocity' has 3 (counted from 0)");
-  BOOST_TEST(complaint("chain.gap[0]=2") == "--set chain.gap[0]: the scene has no 'chain.gap'");
+  BOOST_TEST(
+      complaint("chain.gap[0]=2") ==
+      "--set chain.gap[0]: the scene has no 'chain.gap' (one gap for all, or none, has no elements; a list, "
+      "gap = [...], has)");
   BOOST_TEST(complaint("chain.velocitty[0]=2") ==
              "--set chain.velocitty[0]: the scene has no 'chain.velocitty' (did you mean 'velocity'?)");
   BOOST_TEST(
