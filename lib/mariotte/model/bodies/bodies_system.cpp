@@ -106,7 +106,9 @@ void BodiesSystem<D>::close(Mode& mode, Index contact, std::vector<double>& x, B
   changes.push_back({contact, event, event == BodyEvent::close ? -now.gap_rate : 0});
   begin_branch(mode.closed[index], now);
   sink(mode.closed[index], now, x);
-  if (!mode.closed[index].slack) begin_friction(mode, index, Start::onset, x, changes);
+  // What touched at rest is watched once it is out of the noise, and has pushed since before.
+  const auto start = event == BodyEvent::touch && now.gap < 0 ? Start::grip : Start::onset;
+  if (!mode.closed[index].slack) begin_friction(mode, index, start, x, changes);
 }
 
 /// What has no series is followed by CVODE, from a depth on that is more than rounding of its gap: the first
@@ -262,6 +264,7 @@ template <int D>
 void BodiesSystem<D>::pass_guard(Index guard, const std::vector<Index>& touching, Mode& mode,
                                  std::vector<double>& x, std::vector<Change>& changes) const {
   const Index gaps = phase_.gap_guard(0), partings = phase_.parting_guard(0), strays = phase_.stray_guard(0);
+  if (guard >= phase_.escape_guard(0)) return;  // whether all is over is asked next
   if (guard >= strays) {
     mode.from.clear();
   } else if (guard >= partings) {
@@ -310,7 +313,7 @@ bool BodiesSystem<D>::is_over(const Mode& mode, ConstState x, bool) const {
     return !phase_.comes_together(x);
   }
   phase_.bind(mode);
-  return phase_.is_ballistic() && !phase_.comes_together(x);
+  return phase_.is_ballistic() ? !phase_.comes_together(x) : phase_.flies_apart(x);
 }
 
 template class BodiesSystem<2>;
