@@ -19,6 +19,26 @@ BOOST_AUTO_TEST_CASE(bodies_that_nothing_can_touch_fly_on) {
   BOOST_TEST(impact.energy.residual == 0);
 }
 
+/// Their flight has no closed form. It ends where spheres that hold them are apart for ever.
+BOOST_AUTO_TEST_CASE(bodies_without_an_axis_end_where_they_have_flown_apart) {
+  model::Body block{.mass = 0.01, .inertia = {1e-7, 2e-7, 2.5e-7}, .position = {0, 0, 0.02}};
+  block.velocity = {0, 0, -1};
+  block.spin = {10, 20, 30};
+  block.spheres = {{{0.004, 0.005, -0.009}, 0.001}, {{-0.004, -0.005, -0.009}, 0.001}};
+  model::Bodies bodies{.dimension = 3, .body = {block}, .plane = {{.normal = {0, 0, 1}}}};
+  for (Index tip = 0; tip < 2; ++tip)
+    bodies.contact.push_back(
+        {.a = {0, -1}, .b = {0, tip}, .law = contact::Hertz(1e9), .tangential = mindlin});
+  const auto impact = impact::simulate(bodies);
+  BOOST_TEST((impact.ending == hybrid::Ending::separated), impact.message);
+  BOOST_TEST(impact.time > 0.009);
+  BOOST_TEST(impact.time < 0.1);
+  BOOST_TEST(impact.body[0].velocity.e3 > 0);
+  BOOST_TEST(impact.body[0].position.e3 > 0.0105);
+  bodies.gravity = {0, 0, -9.81};
+  BOOST_TEST((impact::simulate(bodies, {.max_time = 0.3}).ending == hybrid::Ending::time_limit));
+}
+
 /// What is left of equal velocities is no approach: two balls would meet after 10¹³ s.
 BOOST_AUTO_TEST_CASE(bodies_that_drift_by_rounding_do_not_meet) {
   for (const int dimension : {2, 3}) {

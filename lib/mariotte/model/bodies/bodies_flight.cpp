@@ -87,23 +87,88 @@ double BodiesPhase<D>::gap_bend(const BodyMotion<double, D>& body, Index i,
   return (spin * spin + nutation) * arm;
 }
 
+/// Times in which a point whose height is this parabola is no higher than `reach`, if it may be.
+Window near_plane(double height, double rate, double fall, double reach) {
+  const double lowest = rate < 0 && fall > 0 ? height - rate * rate / (2 * fall) : height;
+  if ((rate >= 0 || fall > 0) && fall >= 0 && lowest > reach) return {infinity, infinity};
+  Window window;
+  if (fall == 0 && rate < 0 && height > reach) window.first = (height - reach) / -rate;
+  if (fall == 0 && rate > 0) window.last = (reach - height) / rate;
+  return window;
+}
+
+/// How both sides of a contact move.
 template <int D>
-double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const {
+struct BodiesPhase<D>::Approach {
+  const SettingContact<D>& contact;
+  const SettingSphere<D>& sphere;  ///< b
+  BodyMotion<double, D> a = {}, b = {};
+  GapMotion<double, D> now = {};
+  Vec<double, D> relative = {};  ///< velocity of the mass centres, or of that of b and the plane
+  double arm_a = 0, arm_b = 0;
+  double fall = 0;   ///< acceleration of a gap to a plane
+  double dent = 0;   ///< depth at which the contact closes
+  double radii = 0;  ///< without it
+
+  bool is_plane() const { return contact.plane >= 0; }
+  /// When spheres about the mass centres touch that hold both bodies.
+  Window near(const BodiesSetting<D>& setting) const {
+    const auto on_b = sphere_motion(sphere, b);
+    if (is_plane())
+      return near_plane(now.gap + dent - dot(now.normal, on_b.arm), dot(now.normal, relative), fall, arm_b);
+    const auto on_a = sphere_motion(setting.sphere[contact.a], a);
+    const Vec<double, D> spheres = (now.gap + dent + radii) * now.normal;
+    return model::near<D>(spheres - on_b.arm + on_a.arm, relative, radii + arm_a + arm_b);
+  }
+};
+
+template <int D>
+typename BodiesPhase<D>::Approach BodiesPhase<D>::approach(ConstState x, Index contact) const {
   const auto& c = setting_.contact[contact];
   const auto& sphere_b = setting_.sphere[c.b];
   const bool is_plane = c.plane >= 0;
+  Approach all{.contact = c, .sphere = sphere_b};
+  all.b = motion_of(setting_.body[sphere_b.body], layout_, x, sphere_b.body);
+  if (!is_plane) {
+    const Index body = setting_.sphere[c.a].body;
+    all.a = motion_of(setting_.body[body], layout_, x, body);
+  }
+  all.now = gap_motion(
+      c, ContactSides<double, D>(setting_, c, is_plane ? nullptr : &all.a, all.b, x[layout_.clock()]));
+  all.relative = all.b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : all.a.velocity);
+  all.arm_b = norm(sphere_b.arm);
+  all.arm_a = is_plane ? 0 : norm(setting_.sphere[c.a].arm);
+  all.fall = is_plane ? dot(all.now.normal, setting_.gravity) : 0;
+  all.dent = closing_depth(contact);
+  all.radii = (is_plane ? sphere_b.radius : c.touching_distance()) - all.dent;
+  return all;
+}
+
+template <int D>
+double BodiesPhase<D>::escape_gap(Index contact) const {
+  constexpr double clearly = 2.1;  // twice is enough
+  const auto& c = setting_.contact[contact];
+  const double arm_a = c.plane >= 0 ? 0 : norm(setting_.sphere[c.a].arm);
+  return clearly * (arm_a + norm(setting_.sphere[c.b].arm)) + std::max(0.0, -closing_depth(contact));
+}
+
+template <int D>
+bool BodiesPhase<D>::flies_apart(ConstState x) const {
+  if (escapes_ == 0 || !at_peace_) return false;
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
+    if (const auto window = approach(x, c).near(setting_); window.first < infinity && window.last >= 0)
+      return false;
+  return true;
+}
+
+template <int D>
+double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const {
+  const auto all = approach(x, contact);
+  const auto& [c, sphere_b, of_a, b, now, relative, arm_a, arm_b, fall, dent, radii] = all;
+  const bool is_plane = all.is_plane();
   const Index body_b = sphere_b.body, body_a = is_plane ? -1 : setting_.sphere[c.a].body;
-  const auto b = motion_of(setting_.body[body_b], layout_, x, body_b);
-  BodyMotion<double, D> a{};
-  if (!is_plane) a = motion_of(setting_.body[body_a], layout_, x, body_a);
-  const auto approach = [&](const BodyMotion<double, D>& to, double clock) {
-    return gap_motion(c, ContactSides<double, D>(setting_, c, is_plane ? nullptr : &a, to, clock));
-  };
-  const auto now = approach(b, x[layout_.clock()]);
-  const double arm_b = norm(sphere_b.arm), arm_a = is_plane ? 0 : norm(setting_.sphere[c.a].arm);
-  const double fall = is_plane ? dot(now.normal, setting_.gravity) : 0;
+  auto a = of_a;
   const bool turns_a = !is_plane && arm_a > 0 && norm(a.spin) > 0, turns_b = arm_b > 0 && norm(b.spin) > 0;
-  const double dent = closing_depth(contact);
   double gap = std::max(now.gap + dent, 0.0);
   if (std::find(mode_->touching.begin(), mode_->touching.end(), contact) != mode_->touching.end()) {
     if (now.gap_rate > -setting_.slip_noise * setting_.speed) return infinity;
@@ -111,8 +176,6 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
   }
   if (is_plane && !turns_b) return flow::first_crossing(flow::Crossing::falling, gap, now.gap_rate, fall);
 
-  const double radii = (is_plane ? sphere_b.radius : c.touching_distance()) - dent;
-  const Vec<double, D> relative = b.velocity - (is_plane ? setting_.plane_velocity[c.plane] : a.velocity);
   if (!turns_a && !turns_b) {
     const double distance = radii + gap, slope = distance * now.gap_rate, ends = gap * (distance + radii);
     const double speed = dot(relative, relative), square = slope * slope - speed * ends;
@@ -120,21 +183,12 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
   }
 
   // Where something turns: the gap lies above the parabola of its value, slope and largest bend.
-  Window window;
+  auto window = all.near(setting_);
+  if (window.first == infinity) return infinity;
   double bend = gap_bend(b, body_b, sphere_b);
   if (is_plane) {
     bend += std::abs(fall);
-    const double reach = arm_b;
-    const double centre = now.gap + dent - dot(now.normal, sphere_motion(sphere_b, b).arm);
-    const double rate = dot(now.normal, relative);
-    if (rate >= 0 && fall >= 0 && centre > reach) return infinity;
-    if (fall == 0 && rate < 0 && centre > reach) window.first = (centre - reach) / -rate;
-    if (fall == 0 && rate > 0) window.last = (reach - centre) / rate;
   } else {
-    const auto on_a = sphere_motion(setting_.sphere[c.a], a), on_b = sphere_motion(sphere_b, b);
-    const Vec<double, D> spheres = (now.gap + dent + radii) * now.normal;
-    const Vec<double, D> centres = spheres - on_b.arm + on_a.arm;
-    window = near<D>(centres, relative, radii + arm_a + arm_b);
     const double across = norm(relative) + norm(a.spin) * arm_a + norm(b.spin) * arm_b;
     bend += gap_bend(a, body_a, setting_.sphere[c.a]) + across * across / radii;
   }
@@ -150,7 +204,9 @@ double BodiesPhase<D>::meeting(ConstState x, Index contact, double limit) const 
     fly(x, t, flown);
     const auto there_b = motion_of(setting_.body[body_b], layout_, ConstState(flown), body_b);
     if (!is_plane) a = motion_of(setting_.body[body_a], layout_, ConstState(flown), body_a);
-    const auto there = approach(there_b, flown[layout_.clock()]);
+    const ContactSides<double, D> sides(setting_, c, is_plane ? nullptr : &a, there_b,
+                                        flown[layout_.clock()]);
+    const auto there = gap_motion(c, sides);
     const double h = std::max(there.gap + dent, 0.0), slope = there.gap_rate;
     const double root = std::sqrt(slope * slope + 2 * bend * h);
     const double ahead = slope > 0 ? (slope + root) / bend : 2 * h / (root - slope);
@@ -208,6 +264,10 @@ template void fly(const BodiesSetting<2>&, const BodiesLayout<2>&, ConstState, I
 template void fly(const BodiesSetting<3>&, const BodiesLayout<3>&, ConstState, Index, double, State);
 template void BodiesPhase<2>::fly(ConstState, double, State) const;
 template void BodiesPhase<3>::fly(ConstState, double, State) const;
+template double BodiesPhase<2>::escape_gap(Index) const;
+template double BodiesPhase<3>::escape_gap(Index) const;
+template bool BodiesPhase<2>::flies_apart(ConstState) const;
+template bool BodiesPhase<3>::flies_apart(ConstState) const;
 template bool BodiesPhase<2>::comes_together(ConstState) const;
 template bool BodiesPhase<3>::comes_together(ConstState) const;
 template double BodiesPhase<2>::first_meeting(ConstState, double, double, std::vector<Index>&) const;

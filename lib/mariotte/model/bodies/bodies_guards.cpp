@@ -80,6 +80,8 @@ void BodiesPhase<D>::guards_of(const BodiesField<T, D, N>& field, std::span<T> v
     if (crossing_[gap_guard(k)] == Crossing::none || (is_recorded<T> && is_far_[k])) continue;
     values[gap_guard(k)] = field.approach(watched(k)).gap + closing_depth(watched(k));
   }
+  for (Index k = 0; k < escapes_; ++k)
+    values[escape_guard(k)] = field.approach(watched(k)).gap - escape_gap(watched(k));
   for (Index i = 0; i < strays_; ++i) {
     const auto gone = field.body(i).shift - lift<T>(vec_at<D>(ConstState(mode_->from), D * i));
     values[stray_guard(i)] = 0.25 * setting_.skin * setting_.skin - dot(gone, gone);

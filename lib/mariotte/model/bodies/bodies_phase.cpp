@@ -57,17 +57,19 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   layout_.slots = std::ssize(mode.idle) + std::ssize(mode.closed);
   watches_near_ = watches_near(setting_, mode);
   strays_ = watches_near_ ? layout_.bodies : 0;
+  escapes_ = mode.closed.empty() && !free_flight_ ? watched_count() : 0;
   crossing_.assign(guard_count(), Crossing::none);
   set_magnitudes(setting_, layout_, mode, magnitude_);
   // Without gravity what touches at rest stays so while nothing pushes.
-  const bool at_peace = mode.touching.empty() || norm(setting_.gravity) == 0;
-  ballistic_ = mode.closed.empty() && at_peace && free_flight_;
+  at_peace_ = mode.touching.empty() || norm(setting_.gravity) == 0;
+  ballistic_ = mode.closed.empty() && at_peace_ && free_flight_;
   time_ = mode.closed.empty() ? setting_.time : infinity;
   damping_ = 0;
   trial_steps_ = flow::Problem::trial_steps();
   steps_at_rest_ = 0;
   std::fill_n(crossing_.begin() + gap_guard(0), watched_count(), Crossing::falling);
   for (Index i = 0; i < strays_; ++i) crossing_[stray_guard(i)] = Crossing::falling;
+  for (Index k = 0; k < escapes_; ++k) crossing_[escape_guard(k)] = Crossing::rising;
   for (const auto& one : mode.closed) {
     const auto& contact = setting_.contact[one.contact];
     const auto set = [&](SlotGuard guard, Crossing way) { crossing_[slot_guard(one.slot, guard)] = way; };

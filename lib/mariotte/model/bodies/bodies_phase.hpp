@@ -29,7 +29,7 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
 
   Index size() const override { return layout_.size(); }
   void derivative(ConstState x, State dx) const override;
-  Index guard_count() const override { return stray_guard(strays_); }
+  Index guard_count() const override { return escape_guard(escapes_); }
   void guards(ConstState x, State values) const override;
   void derivative_and_guards(ConstState x, State dx, State values) const override;
   void guard_rates(ConstState x, ConstState dx, State rates) const override;
@@ -52,6 +52,9 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   void fly(ConstState x, double t, State result) const override;
   /// Of bodies in flight: whether some contact closes, ever, but for those that only drift.
   bool comes_together(ConstState x) const;
+  /// The same of bodies whose flight has no closed form: no two come near each other any more, by spheres
+  /// about their mass centres, nor one a plane.
+  bool flies_apart(ConstState x) const;
 
   void record(ConstState x, double accuracy, bool all, flow::Recording& recording) const override;
   bool stays_far(ConstState x, double time, ConstState moves) const override;
@@ -80,6 +83,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index parting_guard(Index k) const { return gap_guard(watched_count()) + k; }
   /// Of body k, which leaves the place where near pairs were listed.
   Index stray_guard(Index k) const { return parting_guard(touching_) + k; }
+  /// Of the k-th contact that is watched, in such a flight: its gap says that these spheres are apart.
+  Index escape_guard(Index k) const { return stray_guard(strays_) + k; }
 
  private:
   const std::vector<flow::Entry>& entries() const;
@@ -91,12 +96,16 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   template <class T, class N>
   T load_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                const ContactForces<T, D>& c) const;
+  struct Approach;
+  Approach approach(ConstState x, Index contact) const;
   double meeting(ConstState x, Index contact, double limit) const;
   bool drifts(ConstState x, Index contact) const;
   /// Depth at which a contact that is open closes.
   double closing_depth(Index contact) const {
     return model::closing_depth(setting_.contact[contact].law, memory_of(*mode_, contact));
   }
+  /// Beyond it spheres about the mass centres, which hold both bodies, are apart.
+  double escape_gap(Index contact) const;
   double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
   bool can_be_recorded(const ClosedContact& mode) const;
   bool is_stuck_at_the_end(ConstState x) const;
@@ -113,9 +122,9 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   Index touching_;
   const BodiesMode* mode_ = nullptr;
   bool watches_near_ = false;
-  Index strays_ = 0;
+  Index strays_ = 0, escapes_ = 0;
   BodiesLayout<D> layout_;
-  bool ballistic_ = false, free_flight_ = true, recordable_ = false;
+  bool at_peace_ = false, ballistic_ = false, free_flight_ = true, recordable_ = false;
   Index steps_at_rest_ = 0;  ///< of slips that have not left it
   Index accepted_ = 0;       ///< steps, in all phases
   double time_ = 1, damping_ = 0;
