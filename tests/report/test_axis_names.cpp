@@ -59,6 +59,7 @@ BOOST_AUTO_TEST_CASE(a_logarithmic_axis_has_as_many_ticks_as_have_room) {
   are(logarithmic_ticks(1, 100, 34), {1, 2, 5, 10, 20, 50, 100});
   are(logarithmic_ticks(0.001, 0.5, 34), {0.001, 0.003, 0.01, 0.03, 0.1, 0.3});
   are(logarithmic_ticks(1e-3, 1e3, 34), {1e-3, 1e-2, 1e-1, 1, 10, 100, 1000});
+  are(logarithmic_ticks(2.1, 2.9, 34), {2.2, 2.4, 2.6, 2.8});
   are(logarithmic_ticks(1e-12, 1e3, 30), {1e-12, 1e-9, 1e-6, 1e-3, 1, 1000});
 }
 

@@ -27,6 +27,15 @@ std::vector<double> round_numbers(double least, double most, const std::vector<d
   return found;
 }
 
+std::vector<double> even_numbers(double least, double most) {
+  constexpr double most_of_them = 4;
+  const double step = tick_step(most - least, most_of_them);
+  std::vector<double> found;
+  for (double n = std::ceil(least / step - 1e-9); n * step <= most * (1 + 1e-9); ++n)
+    found.push_back(n * step);
+  return found;
+}
+
 /// Every two neighbours have a letter between them.
 bool have_room(const std::vector<double>& ticks, double letters_per_decade) {
   for (std::size_t i = 1; i < ticks.size(); ++i) {
@@ -41,7 +50,10 @@ bool have_room(const std::vector<double>& ticks, double letters_per_decade) {
 
 std::vector<double> logarithmic_ticks(double least, double most, double letters) {
   const double letters_per_decade = letters / std::log10(most / least);
-  for (const auto& digits : std::vector<std::vector<double>>{{1, 2, 3, 5, 7}, {1, 2, 5}, {1, 3}})
+  const std::vector<std::vector<double>> all_digits = {{1, 2, 3, 5, 7}, {1, 2, 5}, {1, 3}};
+  if (most > least && round_numbers(least, most, all_digits[0], 1).size() < 2)
+    return even_numbers(least, most);
+  for (const auto& digits : all_digits)
     if (auto ticks = round_numbers(least, most, digits, 1); have_room(ticks, letters_per_decade))
       return ticks;
   int decades = 1;

@@ -9,7 +9,7 @@ namespace mariotte::report {
 double tick_step(double span, double most);
 
 /// Round numbers from `least` to `most` along a logarithmic axis that has room for so many letters: up to
-/// five in every decade, or one in some decades.
+/// five in every decade, or one in some decades; even steps where the ends are too near each other.
 std::vector<double> logarithmic_ticks(double least, double most, double letters);
 
 /// Six digits at most, with a minus that is no hyphen, as gnuplot writes beside its own ticks.
