@@ -63,6 +63,15 @@ BOOST_AUTO_TEST_CASE(restitution_of_a_tip_that_a_spin_nearly_stops_has_its_slope
   BOOST_TEST(std::abs(by_length("140850") - 0.06708679) < 2e-8);
 }
 
+/// Its spring has held since it was pressed, and not since it was noticed. By differences of runs at 10⁻¹³.
+BOOST_AUTO_TEST_CASE(a_contact_that_touches_and_sticks_as_it_is_pressed_has_its_slopes) {
+  const auto document =
+      scene::open(MARIOTTE_TEST_DATA "/bodies/hard/pressed_by_a_damper.toml", {"run.accuracy=1e-10"});
+  const auto found = study::sensitivity(document, resolve(document), {"bodies.body[0].spin"});
+  BOOST_TEST(std::abs(slope(found, "bodies[0].spin") - 0.9352654659) < 1e-9);
+  BOOST_TEST(found.notes.empty());
+}
+
 /// A slip comes within 10⁻⁹ of the speed to rest and goes on the other way: more digits are needed than were
 /// asked for, and doubles do not have all.
 BOOST_DATA_TEST_CASE(a_slip_that_passes_by_rest_says_how_well_its_slopes_are_known, accuracies, accuracy) {

@@ -36,9 +36,9 @@ class SpringBehind {
   using Field = typename BodiesVariation<D>::Field;
   using Result = model::Vec<Sloped, size>;
 
-  SpringBehind(const Field& field, const BodiesMode& before, const BodiesLayout<D>& at,
+  SpringBehind(const Field& field, const BodiesPassage<D>& event, const BodiesLayout<D>& at,
                std::span<const Sloped> x)
-      : field_(field), before_(before), at_(at), x_(x) {}
+      : field_(field), before_(event.before), at_(at), x_(x), after_(event.x_after) {}
 
   Result operator()(const ClosedContact& one) const {
     const auto& tangential = field_.setting().contact[one.contact].tangential;
@@ -47,7 +47,7 @@ class SpringBehind {
     const auto* was = place < 0 ? nullptr : &before_.closed[place];
     const bool acted = was && !was->slack && was->friction != Friction::none;
     if (one.friction == Friction::slip) return slipping(one, acted ? was : nullptr, place);
-    return acted ? sticking(one, *was, place) : Result{};
+    return acted ? sticking(one, *was, place) : held(one);
   }
 
  private:
@@ -76,10 +76,24 @@ class SpringBehind {
     return (one.unloading ? 1.0 / c.spring : c.spring) * kept(one);
   }
 
+  /// What has been pushed for a little time when it is noticed has slipped since.
+  Result held(const ClosedContact& one) const {
+    const auto now = field_.motion(one.contact);
+    const auto way = along(now.slip, now.normal);
+    const auto stretch = model::vec_at<size>(after_, at_.spring(one.slot));
+    double square = 0, product = 0;
+    for (int k = 0; k < size; ++k) {
+      square += way[k].value * way[k].value;
+      product += way[k].value * stretch[k];
+    }
+    return square > 0 ? Sloped(product / square) * way : Result{};
+  }
+
   const Field& field_;
   const BodiesMode& before_;
   const BodiesLayout<D>& at_;
   std::span<const Sloped> x_;
+  ConstState after_;
 };
 
 }  // namespace
@@ -162,7 +176,7 @@ void BodiesVariation<D>::pass_slot(const BodiesPassage<D>& event, const ClosedCo
         for (Index row = 0; row < slopes.rows; ++row) x_[row].slope[k] = met(row, c + k);
       auto& field = field_[c / slope_lanes];
       field.evaluate(at, event.before, std::span<const Sloped>(x_));
-      spring = SpringBehind<D>(field, event.before, at, x_)(one);
+      spring = SpringBehind<D>(field, event, at, x_)(one);
     }
     for (Index row = first; row < own; ++row)
       result(row, c) = spring[static_cast<int>(row - first)].slope[c % slope_lanes];
