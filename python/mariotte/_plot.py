@@ -60,7 +60,7 @@ class ImpactPlot:
             quantity = "force on a tip F"
         curves = Curves(quantity, "N", names, True, samples.time, values, closed and [j + 1 for j in closed])
         if not isinstance(self._impact.scene, Body):
-            curves = chosen(curves, own if contacts is None else [j + 1 for j in contacts])
+            curves = chosen(curves, _asked(contacts, curves.numbers or range(1, len(names) + 1)) or own)
         if ax is not None or curves.values.shape[1] > _MOST_CURVES or len(of_forces) == len(windows):
             return self._draw(curves, windows, "contact j", logarithmic, ax)
         return self._draw(curves, of_forces, "contact j", logarithmic, ax, note)
@@ -70,7 +70,7 @@ class ImpactPlot:
         in space."""
         samples = self._impact.trajectory.steps()
         _, windows, _, _, logarithmic, moving, unit, own, _ = _core.picture(self._impact._run)
-        wanted = own if balls is None else [i + 1 for i in balls]
+        wanted = _asked(balls, range(1, len(self._impact.velocity) + 1)) or own
         if isinstance(self._impact.scene, Body):
             wanted = []
         values = samples.velocity.reshape(len(samples.time), -1)
@@ -166,6 +166,15 @@ class ImpactPlot:
             events = [event._replace(close=tuple(sorted({*event.close, *event.touch} - {*event.part})), unload=())
                       for event in events]
         return [event for event in events if event.close or event.open or event.yields or event.unload]
+
+
+def _asked(places: Optional[Sequence[int]], known: Sequence[int]) -> List[int]:
+    """Places from 0 as numbers from 1; those that there are not are refused."""
+    numbers = [place + 1 for place in places or ()]
+    missing = [number - 1 for number in numbers if number not in known]
+    if missing:
+        raise IndexError(f"no {missing[0]} among those of the figure: {known[0] - 1} to {known[-1] - 1}")
+    return numbers
 
 
 def dimension_of(scene: Scene[Any]) -> int:

@@ -147,6 +147,9 @@ def test_some_contacts_of_a_long_row_are_curves():
     assert labels(hit.plot.forces(contacts=[4])) == ["$f_{5}$"]
     assert labels(hit.plot.velocities(balls=[0, 12])) == ["ball 1", "ball 13"]
     assert hit.plot.velocities().images
+    for refused in (lambda: hit.plot.forces(contacts=[20]), lambda: hit.plot.velocities(balls=[-1])):
+        with pytest.raises(IndexError, match="among those of the figure"):
+            refused()
 
 
 def test_long_titles_stay_in_their_figure(cradle):

@@ -37,6 +37,13 @@ BOOST_AUTO_TEST_CASE(bodies_without_an_axis_end_where_they_have_flown_apart) {
   BOOST_TEST(impact.body[0].position.e3 > 0.0105);
   bodies.gravity = {0, 0, -9.81};
   BOOST_TEST((impact::simulate(bodies, {.max_time = 0.3}).ending == hybrid::Ending::time_limit));
+  bodies.gravity = bodies.body[0].velocity = bodies.body[0].spin = {};
+  for (const double height : {0.01, 0.0101}) {  // at rest on the plane and above it
+    bodies.body[0].position.e3 = height;
+    const auto still = impact::simulate(bodies);
+    BOOST_TEST((still.ending == hybrid::Ending::separated), still.message);
+    BOOST_TEST(still.time == 0);
+  }
 }
 
 /// What is left of equal velocities is no approach: two balls would meet after 10¹³ s.

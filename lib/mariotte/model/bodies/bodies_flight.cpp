@@ -111,6 +111,10 @@ struct BodiesPhase<D>::Approach {
   double radii = 0;  ///< without it
 
   bool is_plane() const { return contact.plane >= 0; }
+  /// The gap never changes.
+  bool is_still() const {
+    return fall == 0 && norm(relative) + arm_a * norm(a.spin) + arm_b * norm(b.spin) == 0;
+  }
   /// When spheres about the mass centres touch that hold both bodies.
   Window near(const BodiesSetting<D>& setting) const {
     const auto on_b = sphere_motion(sphere, b);
@@ -155,9 +159,11 @@ double BodiesPhase<D>::escape_gap(Index contact) const {
 template <int D>
 bool BodiesPhase<D>::flies_apart(ConstState x) const {
   if (escapes_ == 0 || !at_peace_) return false;
-  for (Index c = 0; c < std::ssize(setting_.contact); ++c)
-    if (const auto window = approach(x, c).near(setting_); window.first < infinity && window.last >= 0)
-      return false;
+  for (Index c = 0; c < std::ssize(setting_.contact); ++c) {
+    const auto both = approach(x, c);
+    const auto window = both.near(setting_);
+    if (!both.is_still() && window.first < infinity && window.last >= 0) return false;
+  }
   return true;
 }
 
