@@ -7,6 +7,18 @@
 
 namespace support {
 
+/// Six points.
+inline const std::string few = std::string(support::three_balls) + R"(
+[[sweep]]
+key = "chain.velocity[2]"
+values = ["-0.5 m/s", 0]
+[[sweep]]
+key = "chain.mass[1]"
+from = 1
+to = 3
+count = 3
+)";
+
 /// A grid of 200 × `columns` triplets of Hertz balls.
 inline std::string map_scene(int columns) {
   return std::string(three_balls) + R"([run]

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "command/session.hpp"
+#include "support/lines.hpp"
 
+using support::fields;
 using support::has;
 using support::Session;
 namespace fs = std::filesystem;
@@ -14,13 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Rows = std::vector<std::map<std::string, std::string>>;  // by the name of the column
-
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> list;
-  std::istringstream in(line);
-  for (std::string field; std::getline(in, field, ',');) list.push_back(field);
-  return list;
-}
 
 Rows rows(const fs::path& csv) {
   std::istringstream in(support::content(csv));
