@@ -115,13 +115,16 @@ void tell_empty_window(double end, const scene::Scene& scene) {
                         (*window)[0], end));
 }
 
-/// Chosen balls or contacts that a chain does not have.
+/// Chosen balls or contacts that a chain does not have; a body has none to choose from.
 void tell_missing(const std::vector<Index>& chosen, Index count, const char* what) {
   for (const Index number : chosen)
     if (number > count)
       warning(fmt::format("figure.{0}: {1} is left out, the last is {2}", what, number, count));
 }
 void tell_missing(const scene::Scene& scene) {
+  if (std::holds_alternative<model::Microbody>(scene.model) &&
+      !(scene.figure.balls.empty() && scene.figure.contacts.empty()))
+    warning("figure.balls and figure.contacts say nothing of a [body]: all is drawn");
   const auto* chain = std::get_if<model::Chain>(&scene.model);
   if (!chain) return;
   tell_missing(scene.figure.balls, std::ssize(chain->mass), "balls");
