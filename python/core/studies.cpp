@@ -1,16 +1,21 @@
-// Capture velocities and fits of a body's scene, and slopes of any.
+// Studies of scenes: capture velocities, curves of restitution, fits, natural modes and slopes.
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruption.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
 #include "mariotte/report/table/fit_report.hpp"
+#include "mariotte/report/table/modes_report.hpp"
+#include "mariotte/report/warnings.hpp"
 #include "mariotte/study/capture.hpp"
 #include "mariotte/study/fault.hpp"
 #include "mariotte/study/fit/fit.hpp"
+#include "mariotte/study/pair_choice.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "mariotte/study/sensitivity/swept_slopes.hpp"
 #include "scene_box.hpp"
@@ -28,6 +33,47 @@ py::tuple capture_velocity(const SceneBox& box, double tolerance) {
   }
   if (!found) throw Error(study::no_capture_velocity, fault::no_capture);
   return py::make_tuple(found->captured, found->separated, found->runs);
+}
+
+/// What has to be said of the impact at a speed.
+std::vector<std::string> warnings_at(const SceneBox& box, double speed) {
+  const auto scene = study::at_speed(box.document, speed);
+  return std::visit([&](const auto& impact) { return report::warnings(impact, scene.run.flow); },
+                    scene::simulate(scene));
+}
+
+/// e at each speed, in closed form, nan where there is none, and warnings of the fastest impact.
+py::tuple restitution(const SceneBox& box, const std::vector<double>& speeds) {
+  std::vector<double> found, closed;
+  std::vector<std::string> warnings;
+  {
+    const py::gil_scoped_release unlocked;
+    const auto pair = study::pair_of(box.scene, box.name, "followed at other speeds");
+    Interruption interruption;
+    for (const double speed : speeds) {
+      interruption();
+      found.push_back(impact::restitution(pair, speed));
+      closed.push_back(or_nan(impact::closed_restitution(pair, speed)));
+    }
+    if (!speeds.empty()) warnings = warnings_at(box, std::ranges::max(speeds));
+  }
+  const auto count = std::ssize(speeds);
+  return py::make_tuple(owned(std::move(found), {count}), owned(std::move(closed), {count}), warnings);
+}
+
+/// JSON and table, as the command prints them, and a row of displacements per mode.
+py::tuple modes(const SceneBox& box, const std::optional<double>& end_force) {
+  std::optional<study::Modes> found;
+  {
+    const py::gil_scoped_release unlocked;
+    found = study::modes(box.scene, end_force);
+  }
+  const auto& shape = found->vibrations.shape;
+  std::vector<double> rows;
+  for (const auto& one : shape) rows.insert(rows.end(), one.begin(), one.end());
+  const auto count = std::ssize(shape), dofs = shape.empty() ? 0 : std::ssize(shape.front());
+  return py::make_tuple(report::text(report::json(*found)), report::table(*found, box.scene.title),
+                        owned(std::move(rows), {count, dofs}));
 }
 
 /// JSON and table, as the command prints them.
@@ -87,6 +133,8 @@ bool sweeps_back(const SceneBox& box) {
 
 void add_studies(py::module_& module) {
   module.def("capture_velocity", &capture_velocity, py::arg("scene"), py::arg("tolerance"));
+  module.def("restitution", &restitution, py::arg("scene"), py::arg("speed"));
+  module.def("modes", &modes, py::arg("scene"), py::arg("force"));
   module.def("fit", &fit, py::arg("scene"), py::arg("text"), py::arg("name"), py::arg("free"),
              py::arg("confidence"), py::call_guard<py::gil_scoped_release>());
   module.def("sensitivity", &sensitivity, py::arg("scene"), py::arg("to"),

@@ -11,18 +11,20 @@ from ._events import Event, TipImpact
 from ._impact import (ChainImpact, ContactImpact, Ending, Energy, Flow, Impact, MicrobodyImpact, Momentum,
                       NetworkImpact, Restitution, simulate)
 from ._laws import LawOutcome, multiple_impact_law, rival_laws, with_law
+from ._modes import BandEdges, Modes, Rest, modes
 from ._numbers import Array
 from ._scene import Bodies, Body, Chain, Network, Scene, load, parse
 from ._sensitivity import Sensitivity, sensitivity, vjp
-from ._studies import CaptureVelocity, Estimate, Fit, capture_velocity, fit
+from ._studies import (CaptureVelocity, Estimate, Fit, RestitutionCurve, capture_velocity, fit, restitution)
 from ._sweep import Solved, Sweep, solve, sweep
 from ._trajectory import Samples, Trajectory
 
 __all__ = [
-    "Array", "Bodies", "BodiesImpact", "Body", "CaptureVelocity", "Chain", "ChainImpact", "ContactImpact", "Ending",
-    "Energy", "Error", "Estimate", "Event", "FileError", "Fit", "FitError", "Flow", "Impact", "InvalidParameter",
-    "LawOutcome", "Losses", "MicrobodyImpact", "ModelWarning", "Momentum", "Network", "NetworkImpact", "Restitution",
-    "Samples", "Scene", "SceneError", "Sensitivity", "Solved", "Sweep", "TipImpact", "Trajectory", "__version__",
-    "capture_velocity", "fit", "load", "multiple_impact_law", "parse", "rival_laws", "sensitivity", "simulate",
-    "solve", "sweep", "vjp", "with_law",
+    "Array", "BandEdges", "Bodies", "BodiesImpact", "Body", "CaptureVelocity", "Chain", "ChainImpact", "ContactImpact",
+    "Ending", "Energy", "Error", "Estimate", "Event", "FileError", "Fit", "FitError", "Flow", "Impact",
+    "InvalidParameter", "LawOutcome", "Losses", "MicrobodyImpact", "ModelWarning", "Modes", "Momentum", "Network",
+    "NetworkImpact", "Rest", "Restitution", "RestitutionCurve", "Samples", "Scene", "SceneError", "Sensitivity",
+    "Solved", "Sweep", "TipImpact", "Trajectory", "__version__", "capture_velocity", "fit", "load", "modes",
+    "multiple_impact_law", "parse", "restitution", "rival_laws", "sensitivity", "simulate", "solve", "sweep", "vjp",
+    "with_law",
 ]

@@ -1,4 +1,4 @@
-"""Studies of microbodies: capture velocities, and fits to measured restitution."""
+"""Capture velocities, curves of restitution, and fits to measurements."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from . import _core
 from ._columns import names
 from ._errors import warn
 from ._keys import whole_key
-from ._numbers import Array, Numbers, number, numbers
+from ._numbers import Array, Numbers, listed, number, numbers
 from ._scene import Path, Scene
 
 
@@ -65,6 +65,43 @@ def capture_velocity(body: Scene[Any], *, tolerance: float = 1e-9) -> CaptureVel
     """
     body._expect_text()
     return CaptureVelocity(*_core.capture_velocity(body._box, number(tolerance, "tolerance")))
+
+
+class RestitutionCurve(NamedTuple):
+    """How the restitution of two bodies depends on their speed."""
+
+    speed: Array  #: of approach [m/s]
+    restitution: Array  #: e at each speed; 0 where adhesion keeps them
+    closed_form: Array  #: the same without integration; nan where the law has no closed form
+
+
+def restitution(pair: Scene[Any], speed: Numbers) -> RestitutionCurve:
+    """Find e of two bodies that nothing else touches at speeds of approach.
+
+    Parameters
+    ----------
+    pair : Chain
+        Two balls, or a ball and a wall. Of a :class:`Body` sweep ``incidence.normal_speed``.
+    speed : array_like
+        One, or a row [m/s]. A damper that follows from a restitution in the scene stays as it is there.
+
+    Warns
+    -----
+    ModelWarning
+        Of what has to be said of the fastest impact.
+
+    Examples
+    --------
+    >>> import mariotte as mt
+    >>> beads = mt.Chain(mass=[1, 1], velocity=[1, 0], law="kelvin-voigt", stiffness=1e6, damping=100)
+    >>> mt.restitution(beads, [0.1, 1]).restitution.round(6)
+    array([0.808424, 0.808424])
+    """
+    pair._expect_text()
+    speeds = listed(np.atleast_1d(numbers(speed, "m/s")))
+    found, closed, warnings = _core.restitution(pair._box, speeds)
+    warn(warnings)
+    return RestitutionCurve(np.array(speeds), found, closed)
 
 
 class Estimate(NamedTuple):

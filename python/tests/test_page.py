@@ -20,6 +20,8 @@ def test_the_blocks_of_a_page_run(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     shutil.copy(SCENES / "sphere_fit.toml", "microsphere.toml")
     shutil.copy(SCENES / "sphere_fit.csv", "measured.csv")
+    for name in ("steel_pair.toml", "pressed_row.toml"):
+        shutil.copy(SCENES / name, name)
     random = np.random.default_rng(1)
     names = {"stiffness": random.uniform(1, 2, (100, 2)), "velocity": random.normal(size=(100, 3))}
     found = blocks(page)

@@ -32,6 +32,55 @@ def test_two_balls_that_adhere_have_a_capture_velocity(tmp_path, command_json):
     assert mt.capture_velocity(mt.load(pair)).value == command_json("capture", pair)["capture_velocity"]
 
 
+def test_modes_are_those_of_the_command(command_json):
+    expected = command_json("modes", SCENES / "pressed_row.toml", "--shapes")
+    found = mt.modes(mt.load(SCENES / "pressed_row.toml"))
+    assert {"title": expected["title"], **found.json()} == expected
+    assert found.shape.shape == (len(found.frequency), len(expected["shape"][0]))
+    assert found.band_edges.optical_top == expected["band_edges"]["optical_top"]
+    assert np.array_equal(found.rest.force, expected["rest"]["force"])
+
+
+def test_the_table_of_modes_is_that_of_the_command(command):
+    assert str(mt.modes(mt.load(SCENES / "pressed_row.toml"))) == command("modes", SCENES / "pressed_row.toml")
+
+
+def test_a_force_presses_the_ends_of_a_row():
+    row = mt.Chain(balls=3, mass=1, law="hertz", stiffness=1, velocity=[1, 0, 0])
+    found = mt.modes(row, force=1e-3)
+    assert found.angular_frequency ** 2 == pytest.approx([0.15, 0.45], rel=1e-13)
+    assert found.rigid_motions == 1 and math.isnan(found.band_edges.optical_top)
+    for force in (0, -1, math.nan):
+        with pytest.raises(mt.InvalidParameter, match="force at the ends must be positive"):
+            mt.modes(row, force=force)
+    with pytest.raises(mt.InvalidParameter, match="pressed by nothing"):
+        mt.modes(row)
+
+
+def test_bodies_have_no_modes():
+    with pytest.raises(mt.SceneError, match=r"only a \[chain\] or a \[network\] has modes"):
+        mt.modes(mt.load(SCENES / "microsphere.toml"))
+
+
+def test_a_curve_of_restitution_is_that_of_the_command(command_json):
+    pair = SCENES / "steel_pair.toml"
+    expected = command_json("restitution", pair, "--from", 0.1, "--to", 10, "--count", 3)["curve"]
+    found = mt.restitution(mt.load(pair), [point["speed"] for point in expected])
+    assert found.restitution.tolist() == [point["restitution"] for point in expected]
+    assert found.closed_form.tolist() == [point["closed_form"] for point in expected]
+
+
+def test_a_curve_of_restitution_tells_what_is_doubtful():
+    with pytest.warns(mt.ModelWarning, match="strains are too large"):
+        mt.restitution(mt.load(SCENES / "steel_pair.toml"), 10)
+
+
+@pytest.mark.parametrize("speed", [0, -1, math.nan, [1, math.inf]])
+def test_a_restitution_needs_a_speed(speed):
+    with pytest.raises(mt.InvalidParameter, match="speed must be positive"):
+        mt.restitution(mt.load(SCENES / "steel_pair.toml"), speed)
+
+
 def test_weights_of_a_long_row_are_one_per_ball():
     row = mt.Chain(mass=[1.0] * 200, velocity=[1.0] + [0.0] * 199, law="hertz", stiffness=1)
     with pytest.raises(ValueError, match="weights of velocity are one per ball"):

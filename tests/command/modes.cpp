@@ -47,6 +47,6 @@ BOOST_FIXTURE_TEST_CASE(a_force_stands_for_walls_at_free_ends, Session) {
 
 BOOST_FIXTURE_TEST_CASE(a_body_has_no_modes, Session) {
   const auto found = mariotte("modes " MARIOTTE_SCENES "/microsphere.toml");
-  BOOST_TEST(found.code == 2);
+  BOOST_TEST(found.code == 3);
   BOOST_TEST(has(found.err, "only a [chain] or a [network] has modes"));
 }

@@ -80,6 +80,12 @@ BOOST_AUTO_TEST_CASE(a_row_of_two_masses_has_a_gap_between_its_bands) {
   BOOST_TEST(!impact::band_edges(mixed, impact::rest(mixed, 1e-3)));
 }
 
+BOOST_AUTO_TEST_CASE(ends_are_pressed_by_a_positive_force) {
+  const model::Chain pair{.mass = {1, 1}, .law = {contact::Hertz{1}}, .gap = {0}, .velocity = {0, 0}};
+  for (const double force : {0.0, -1.0, infinity, std::nan("")})
+    BOOST_CHECK_THROW(impact::rest(pair, force), InvalidParameter);
+}
+
 BOOST_AUTO_TEST_CASE(walls_hold_what_the_gaps_say_wherever_the_balls_stand) {
   auto chain = row(3, 1, 2, true);
   chain.precompressed = true;

@@ -72,6 +72,14 @@ BOOST_AUTO_TEST_CASE(closed_form_of_linear_damping_holds_at_all_ratios) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(speeds_that_make_no_impact_are_refused) {
+  const Pair beads{contact::Hertz{1}, 1};
+  for (const double speed : {0.0, -1.0, infinity, std::nan("")}) {
+    BOOST_CHECK_THROW(impact::restitution(beads, speed), InvalidParameter);
+    BOOST_CHECK_THROW(impact::closed_restitution(beads, speed), InvalidParameter);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(curves_are_those_of_the_references) {
   for (const auto& curve : test::law_cases("restitution_curves.json")) {
     const Pair pair{test::law_of(curve.at("contact")), curve.at("mass")};

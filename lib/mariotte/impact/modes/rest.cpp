@@ -125,6 +125,8 @@ VectorXd step(const model::Network& network, const MatrixXd& direction, const Ve
 }  // namespace
 
 Rest rest(const model::Chain& chain, std::optional<double> end_force) {
+  if (end_force && !(*end_force > 0 && *end_force < infinity))
+    throw InvalidParameter("the force at the ends must be positive and finite");
   for (std::size_t j = 0; j < chain.gap.size(); ++j)
     if (chain.gap[j] > 0) refuse(static_cast<Index>(j), "is open at rest");
   const auto weight = model::static_forces(chain);

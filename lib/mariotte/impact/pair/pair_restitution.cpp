@@ -18,6 +18,10 @@ using contact::Branch;
 using contact::BranchedLaw;
 using contact::Memory;
 
+void expect_speed(double speed) {
+  if (!(speed > 0 && speed < infinity)) throw InvalidParameter("the speed must be positive and finite");
+}
+
 /// The pair as a ball and a wall.
 const BriefImpact& run(ChainSolver& solver, const Pair& pair, double speed) {
   const auto& impact = solver.solve(
@@ -84,12 +88,14 @@ double parameter(const contact::Law& law, std::string_view key) {
 }  // namespace
 
 double restitution(const Pair& pair, double speed) {
+  expect_speed(speed);
   ChainSolver solver;
   const auto& impact = run(solver, pair, speed);
   return impact.ending == hybrid::Ending::bound ? 0 : -impact.velocity[0] / speed;
 }
 
 std::optional<double> closed_restitution(const Pair& pair, double speed) {
+  expect_speed(speed);
   const auto& law = pair.law;
   if (const auto* branches = contact::branched(law)) {
     if (branches->is_damped()) return std::nullopt;

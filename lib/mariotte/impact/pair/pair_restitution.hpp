@@ -15,7 +15,7 @@ struct Pair {
 };
 
 /// e of a pair that approaches at a speed [m/s], by simulation to the last digits; 0 if adhesion keeps it.
-/// Throws Error if the run fails.
+/// Throws InvalidParameter unless the speed is positive and finite, and Error if the run fails.
 double restitution(const Pair& pair, double speed);
 
 /// The same without integration: from energies for laws without a damper [Thornton 1997; Johnson, Kendall &
