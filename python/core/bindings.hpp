@@ -7,6 +7,7 @@ namespace mariotte::python {
 void add_errors(pybind11::module_& module);
 void add_scene(pybind11::module_& module);
 void add_figures(pybind11::module_& module);
+void add_fit(pybind11::module_& module);
 void add_impact(pybind11::module_& module);
 void add_laws(pybind11::module_& module);
 void add_solve(pybind11::module_& module);

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_core, module) {
   mariotte::python::add_scene(module);
   mariotte::python::add_impact(module);
   mariotte::python::add_figures(module);
+  mariotte::python::add_fit(module);
   mariotte::python::add_laws(module);
   mariotte::python::add_solve(module);
   mariotte::python::add_studies(module);

@@ -1,4 +1,4 @@
-// Studies of scenes: capture velocities, curves of restitution, fits, natural modes and slopes.
+// Studies of scenes: capture velocities, curves of restitution, natural modes and slopes.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -9,12 +9,10 @@
 #include "interruption.hpp"
 #include "mariotte/impact/quantities/quantity_key.hpp"
 #include "mariotte/report/json/sensitivity_json.hpp"
-#include "mariotte/report/table/fit_report.hpp"
 #include "mariotte/report/table/modes_report.hpp"
 #include "mariotte/report/warnings.hpp"
 #include "mariotte/study/capture.hpp"
 #include "mariotte/study/fault.hpp"
-#include "mariotte/study/fit/fit.hpp"
 #include "mariotte/study/pair_choice.hpp"
 #include "mariotte/study/sensitivity/scene_parameters.hpp"
 #include "mariotte/study/sensitivity/swept_slopes.hpp"
@@ -76,20 +74,6 @@ py::tuple modes(const SceneBox& box, const std::optional<double>& end_force) {
                         owned(std::move(rows), {count, dofs}));
 }
 
-/// JSON and table, as the command prints them.
-std::tuple<std::string, std::string> fit(const SceneBox& box, const std::string& text,
-                                         const std::string& name, const std::vector<std::string>& free,
-                                         double confidence) {
-  study::FitModel model(box.document, free, study::parse_measurements(text, name));
-  model.watch(Interruption());
-  const auto found = study::fit(model, free, confidence);
-  const report::FitReport report{.fit = found,
-                                 .measurements = model.measurements(),
-                                 .title = box.scene.title,
-                                 .scene_sha256 = box.scene.sha256};
-  return {report::text(report::json(report)), report::table(report)};
-}
-
 /// With parameters, their values, outcomes by name and notes.
 std::string json_of(const impact::Sensitivity& found) {
   report::Json result = report::Json::object();
@@ -135,8 +119,6 @@ void add_studies(py::module_& module) {
   module.def("capture_velocity", &capture_velocity, py::arg("scene"), py::arg("tolerance"));
   module.def("restitution", &restitution, py::arg("scene"), py::arg("speed"));
   module.def("modes", &modes, py::arg("scene"), py::arg("force"));
-  module.def("fit", &fit, py::arg("scene"), py::arg("text"), py::arg("name"), py::arg("free"),
-             py::arg("confidence"), py::call_guard<py::gil_scoped_release>());
   module.def("sensitivity", &sensitivity, py::arg("scene"), py::arg("to"),
              py::call_guard<py::gil_scoped_release>());
   module.def("sensitivity_of_sum", &sensitivity_of_sum, py::arg("scene"), py::arg("to"), py::arg("weights"),

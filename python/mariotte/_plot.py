@@ -15,11 +15,12 @@ from ._figure import draw_curves, make_panels
 from ._image import draw_image
 from ._numbers import Array, Numbers, numbers
 from ._scene import Body, Bodies, Chain, Scene
-from ._style import labelled, mathtext, style_of, text_size, wrapped
+from ._style import beside_axis, labelled, make_logarithmic, mathtext, style_of, text_size, wrapped
 
 if TYPE_CHECKING:
     from ._events import Event
     from ._impact import Impact
+    from ._studies import Fit
     from ._sweep import Sweep
 
 _MOST_CURVES = 12  # more are an image
@@ -281,7 +282,7 @@ class SweepPlot:
         if len(keys) > 1:
             _name_lines(ax, len(keys))
         if _is_logarithmic(along):
-            ax.set_xscale("log")
+            make_logarithmic(ax, "x", along)
         ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
@@ -307,7 +308,7 @@ class SweepPlot:
             ax.plot(*_with_gaps(along, curve, ends[place]), label=name, **_style_of_line(place, along))
         ax.legend(title=each)
         if _is_logarithmic(along):
-            ax.set_xscale("log")
+            make_logarithmic(ax, "x", along)
         ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
@@ -318,7 +319,7 @@ class SweepPlot:
         ax.figure.colorbar(ax.pcolormesh(right, up, colours.T, shading="nearest"), label=name)
         for axis, along in (("y", up), ("x", right)):
             if _is_logarithmic(along):
-                getattr(ax, f"set_{axis}scale")("log")
+                make_logarithmic(ax, axis, along)
         ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
@@ -326,6 +327,30 @@ class SweepPlot:
         """The first key that moves along an axis, and its values."""
         key = next(key for key, place in self._sweep.axis_of.items() if place == axis)
         return key, self._sweep.axes[key]
+
+
+def plot_fit(fit: "Fit", ax: Any) -> Any:
+    """Measurements, with their deviations, and the fitted curves."""
+    if fit._curves is None:
+        raise ValueError("no figure: no setting is a number, or there would be too many curves to tell apart")
+    with style_of(ax):
+        return _fitted(fit, _axes(ax))
+
+
+def _fitted(fit: "Fit", ax: Any) -> Any:
+    x, y, key, factor, logarithmic, curves, curve_of_row = fit._curves
+    along, rows = factor * fit.setting(key), np.array(curve_of_row)
+    for place, (name, abscissa, ordinate, captured) in enumerate(curves):
+        own = rows == place
+        ax.plot(*_with_gaps(abscissa, ordinate, captured), label=name or "fitted", **line_style(place))
+        bars = None if np.isnan(fit.deviation).any() else fit.deviation[own]
+        ax.errorbar(along[own], fit.measured[own], bars, color=line_style(place)["color"], fmt="o",
+                    markersize=2.5, elinewidth=0.5, label="_" if name else "measured")
+    if logarithmic:
+        make_logarithmic(ax, "x", np.concatenate([curve[1] for curve in curves]))
+    _name_lines(ax, len(curves))
+    ax.set(xlabel=beside_axis(x), ylabel=beside_axis(y), title=wrapped(fit.json()["title"]))
+    return ax
 
 
 def _is_logarithmic(values: Array) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
+from functools import cached_property
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -117,9 +118,10 @@ class Estimate(NamedTuple):
 class Fit:
     """Values that fit measurements best, and how well these know them; Jupyter shows the report."""
 
-    def __init__(self, report: Dict[str, Any], table: str) -> None:
-        self._report = report
-        self._table = table
+    def __init__(self, run: _core.FitRun) -> None:
+        self._run = run
+        self._report: Dict[str, Any] = json.loads(run.json())
+        self._table = run.table()
 
     @property
     def estimates(self) -> Dict[str, Estimate]:
@@ -142,6 +144,11 @@ class Fit:
         return self._of_rows("measured")
 
     @property
+    def deviation(self) -> Array:
+        """Of what was measured, one per measurement [SI]; nan where none is known."""
+        return self._of_rows("deviation")
+
+    @property
     def predicted(self) -> Array:
         """The same with the fitted values, one per measurement [SI]."""
         return self._of_rows("predicted")
@@ -159,6 +166,23 @@ class Fit:
     def setting(self, key: str) -> Array:
         """What the measurements put into the scene [SI], one per measurement."""
         return np.array([one["settings"][key] for one in self._report["measurements"]])
+
+    def plot(self, ax: Optional[Any] = None) -> Any:
+        """Draw what was measured and the fitted curves over the setting that varies most; return the axes.
+
+        Raises ValueError if no setting is a number, or if there would be too many curves to tell apart.
+        """
+        from ._plot import plot_fit
+
+        return plot_fit(self, ax)
+
+    @cached_property
+    def _curves(self) -> Any:
+        """What a figure shows; it takes some runs more."""
+        return self._run.curves()
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {"_report": self._report, "_table": self._table, "_curves": self._curves}
 
     def json(self) -> Dict[str, Any]:
         """All of it, as `mariotte fit --json` prints it."""
@@ -226,8 +250,7 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
     else:
         text, name = _core.read_text(os.fspath(data)), os.fspath(data)
     keys = [whole_key(scene._box.kind, key) for key in names(free)]
-    report, table = _core.fit(scene._box, text, name, keys, number(confidence, "confidence"))
-    found = Fit(json.loads(report), table)
+    found = Fit(_core.fit(scene._box, text, name, keys, number(confidence, "confidence")))
     warn(found.warnings)
     return found
 

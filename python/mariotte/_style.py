@@ -6,7 +6,10 @@ import re
 import textwrap
 from typing import Any
 
+import numpy as np
+
 from . import _core
+from ._numbers import Array
 
 _INCH = 2.54  # [cm]
 _STYLE = {"figure.figsize": (8.6 / _INCH, 6.1 / _INCH), "figure.dpi": 200, "font.size": 7, "axes.linewidth": 0.5,
@@ -34,9 +37,28 @@ def wrapped(title: str) -> str:
     return textwrap.fill(title, 36, max_lines=3, placeholder=" …")
 
 
+def make_logarithmic(ax: Any, axis: str, values: Array) -> None:
+    """With numbers at 1, 2, 5, … where an axis has few decades, and evenly spaced ones where it has less than one."""
+    from matplotlib import ticker  # type: ignore[attr-defined]
+
+    getattr(ax, f"set_{axis}scale")("log")
+    decades = float(np.log10(values.max() / values.min()))
+    if decades > 3:
+        return
+    one = getattr(ax, f"{axis}axis")
+    one.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)) if decades > 0.7 else ticker.MaxNLocator(5))
+    one.set_major_formatter(ticker.FormatStrFormatter("%g"))
+    one.set_minor_formatter(ticker.NullFormatter())
+
+
 def labelled(name: str, unit: str) -> str:
     """What stands beside an axis: a name in gnuplot's enhanced text, and its unit, for matplotlib."""
-    return mathtext(_core.with_unit(name, unit)).replace("\u00a0", " ")
+    return beside_axis(_core.with_unit(name, unit))
+
+
+def beside_axis(enhanced: str) -> str:
+    """The same of a name that has its unit already."""
+    return mathtext(enhanced).replace("\u00a0", " ")
 
 
 def mathtext(enhanced: str) -> str:

@@ -232,3 +232,13 @@ def test_quantities_are_converted():
     for wrong in (lambda: mt.solve([1, 2] * unit.second, k, speed), lambda: mt.solve(mass, k, mass)):
         with pytest.raises(TypeError, match="convert"):
             wrong()
+
+
+@pytest.mark.parametrize("last, ticks", [(10, ["1", "2", "5", "10"]), (2, ["1", "1.25", "1.5", "1.75", "2"])])
+def test_short_logarithmic_axes_have_numbers(triplet, last, ticks):
+    pytest.importorskip("matplotlib")
+    ax = mt.sweep(triplet, {"velocity[0]": np.geomspace(1, last, 20)}).plot("velocity")
+    ax.figure.canvas.draw()
+    low, high = ax.get_xlim()
+    shown = [label.get_text() for label in ax.get_xticklabels() if low <= label.get_position()[0] <= high]
+    assert ax.get_xscale() == "log" and shown == ticks

@@ -24,11 +24,6 @@ bool is_angle(const study::Setting& setting) {
   return setting.unit == "rad";
 }
 
-/// Angles are shown in degrees.
-std::string setting_name(const study::Setting& setting) {
-  return with_unit(name_of_input(setting.key), is_angle(setting) ? "deg" : setting.unit);
-}
-
 /// A column of the abscissa as it is shown.
 std::string shown(const FitReport& report, const study::FitCurves& curves, std::size_t column) {
   const bool in_degrees = is_angle(report.measurements.settings[curves.setting]);
@@ -76,31 +71,9 @@ std::string points(const FitReport& report, const study::FitCurves& curves, std:
                      bars, bars.empty() ? "points" : "yerrorbars", k + 1, title);
 }
 
-/// Micrometres are written as tables of measurements have them, "um".
-std::string name_of(const study::FitCurve& curve) {
-  auto name = curve.name;
-  if (name.ends_with(" um")) name.replace(name.size() - 2, 1, "µ");
-  return plain(name);
-}
-
 /// Restitution wherever it was measured, or a key of a result.
 std::string quantity_of(const study::Measurements& measurements) {
   return measurements.quantity.starts_with("restitution") ? "restitution" : measurements.quantity;
-}
-
-/// As figures of sweeps call it.
-std::string label_of(const study::Measurements& measurements) {
-  const auto is_of_body = [](const study::Setting& one) {
-    return one.key.starts_with("incidence.") || one.key.starts_with("body.") ||
-           one.key.starts_with("surface.");
-  };
-  const auto& quantity = measurements.quantity;
-  if (quantity == "restitution.centre") return name_of_result(quantity, "e_nm");
-  if (quantity_of(measurements) != "restitution")
-    return with_unit(name_of_result(quantity, measurements.symbol), measurements.unit);
-  const auto& settings = measurements.settings;
-  return std::any_of(settings.begin(), settings.end(), is_of_body) ? name_of_result("restitution.tip", "e_n")
-                                                                   : "restitution e";
 }
 
 std::string height_of(std::size_t k) {
@@ -113,7 +86,7 @@ std::vector<NamedLine> named(const FitReport& report, const study::FitCurves& cu
   if (curves.curves.size() > 1)
     for (std::size_t k = 0; k < curves.curves.size(); ++k)
       lines.push_back(
-          {"'curves.csv' skip 1", shown(report, curves, 2), height_of(k), name_of(curves.curves[k])});
+          {"'curves.csv' skip 1", shown(report, curves, 2), height_of(k), plain(name_of(curves.curves[k]))});
   return lines;
 }
 
@@ -137,7 +110,7 @@ std::string measured_plot(const FitReport& report, const study::FitCurves& curve
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
     draw.push_back(fmt::format("'curves.csv' skip 1 using {}:{} with lines lt {} lw 2 {}",
                                shown(report, curves, 2), height_of(k), k + 1,
-                               titled ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
+                               titled ? "title " + quoted(plain(name_of(curves.curves[k]))) : "notitle"));
     draw.push_back(points(report, curves, k, ColumnPlaces(report.measurements).measured(), "notitle"));
   }
   return fmt::format(
@@ -151,7 +124,7 @@ std::string residual_plot(const FitReport& report, const study::FitCurves& curve
   for (std::size_t k = 0; k < curves.curves.size(); ++k)
     draw.push_back(
         points(report, curves, k, ColumnPlaces(report.measurements).residual(),
-               curves.curves.size() > 1 ? "title " + quoted(name_of(curves.curves[k])) : "notitle"));
+               curves.curves.size() > 1 ? "title " + quoted(plain(name_of(curves.curves[k]))) : "notitle"));
   return fmt::format("plot {}\n", fmt::join(draw, ", \\\n  "));
 }
 
@@ -176,6 +149,30 @@ std::string residual_figure(const FitReport& report, const study::FitCurves& cur
 
 }  // namespace
 
+std::string label_of(const study::Setting& setting) {
+  return with_unit(name_of_input(setting.key), is_angle(setting) ? "deg" : setting.unit);
+}
+
+std::string label_of(const study::Measurements& measurements) {
+  const auto is_of_body = [](const study::Setting& one) {
+    return one.key.starts_with("incidence.") || one.key.starts_with("body.") ||
+           one.key.starts_with("surface.");
+  };
+  const auto& quantity = measurements.quantity;
+  if (quantity == "restitution.centre") return name_of_result(quantity, "e_nm");
+  if (quantity_of(measurements) != "restitution")
+    return with_unit(name_of_result(quantity, measurements.symbol), measurements.unit);
+  const auto& settings = measurements.settings;
+  return std::any_of(settings.begin(), settings.end(), is_of_body) ? name_of_result("restitution.tip", "e_n")
+                                                                   : "restitution e";
+}
+
+std::string name_of(const study::FitCurve& curve) {
+  auto name = curve.name;
+  if (name.ends_with(" um")) name.replace(name.size() - 2, 1, "µ");
+  return name;
+}
+
 std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements) {
   const auto& setting = measurements.settings[curves.setting];
   std::string text = "curve," + cell(setting.key, setting.unit) + "," +
@@ -192,7 +189,7 @@ std::string curves_csv(const study::FitCurves& curves, const study::Measurements
 std::string fit_script(const FitReport& report, const study::FitCurves& curves) {
   const auto& setting = report.measurements.settings[curves.setting];
   const auto head = report.title.empty() ? std::string("Fit") : report.title;
-  return script_head() + fmt::format("set xlabel {}", quoted(setting_name(setting))) + set_title(head) +
+  return script_head() + fmt::format("set xlabel {}", quoted(label_of(setting))) + set_title(head) +
          fitted_figure(report, curves) + set_title(head + ": residuals") + residual_figure(report, curves);
 }
 

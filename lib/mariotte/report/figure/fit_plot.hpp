@@ -8,6 +8,13 @@
 
 namespace mariotte::report {
 
+/// What stands beside the axes, in gnuplot's enhanced text: of a setting, angles in degrees, and of what was
+/// measured, as figures of sweeps call it.
+std::string label_of(const study::Setting& setting);
+std::string label_of(const study::Measurements& measurements);
+/// Micrometres, which tables of measurements write "um", are "µm".
+std::string name_of(const study::FitCurve& curve);
+
 /// `curve`, the setting along which it goes [SI], `restitution`; curves count from 1.
 /// An empty line, at which gnuplot ends a line, parts what is captured from what is not.
 std::string curves_csv(const study::FitCurves& curves, const study::Measurements& measurements);
