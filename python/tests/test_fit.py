@@ -1,7 +1,5 @@
 """Fits to measurements, and their figures."""
 
-import json
-import math
 import pickle
 
 import numpy as np
