@@ -185,25 +185,28 @@ std::function<int()> chosen(const Command& command, const CLI::App& app) {
   return [rest = app.remaining(), pass_on = command.pass_on] { return pass_on(rest); };
 }
 
-Words choices(const Option& option) {
-  const auto* one = std::get_if<OneOf>(&option.usage.check);
-  return one ? one->words : option.usage.choices;
+Words choices(const Usage& usage) {
+  const auto* one = std::get_if<OneOf>(&usage.check);
+  return one ? one->words : usage.choices;
 }
 
 /// Of what the declaration of a command calls so; none of the options that every command has.
-Words choices(const Command& command, const std::string& name) {
+Usage usage_of(const Command& command, const std::string& name) {
   for (const auto& option : command.options)
-    if (option.name == name) return choices(option);
+    if (option.name == name) return option.usage;
   return {};
 }
 
 HelpPage::Option described(const CLI::Option& option, const Command& command) {
   const bool has_name = option.get_items_expected_max() > 0 && !option.get_positional();
+  const auto usage = usage_of(command, option.get_name(false, true));
   return {.names = option.get_name(false, true),
           .long_names = option.get_lnames(),
           .value = has_name ? option.get_type_name() : "",
           .about = option.get_description(),
-          .choices = choices(command, option.get_name(false, true))};
+          .choices = choices(usage),
+          .default_value = option.get_default_str(),
+          .needs = usage.needs};
 }
 
 HelpPage described(const CLI::App& app, const Command& command) {
@@ -216,6 +219,18 @@ HelpPage described(const CLI::App& app, const Command& command) {
   for (const auto& one : command.commands)
     page.commands.push_back(described(*app.get_subcommand(one.name), one));
   return page;
+}
+
+/// The command that CLI11 does not know.
+HelpPage page_of_help(const HelpPage& program) {
+  HelpPage::Option word{
+      .names = "COMMAND", .long_names = {}, .value = "", .about = "Which one", .choices = {}};
+  for (const auto& one : program.commands) word.choices.push_back(one.name);
+  return {.name = "help",
+          .about = "Print all about a command, as its --help",
+          .footer = fmt::format("Example:\n  {} help {}\n", program.name, word.choices.front()),
+          .options = {word},
+          .commands = {}};
 }
 
 /// "help run" is "run --help".
@@ -250,7 +265,9 @@ std::function<int()> parse(const Command& program, int argc, const char* const* 
 HelpPage help_page(const Command& command) {
   CLI::App app(command.about, command.name);
   declare(app, command);
-  return described(app, command);
+  auto page = described(app, command);
+  if (!page.commands.empty()) page.commands.push_back(page_of_help(page));
+  return page;
 }
 
 }  // namespace mariotte::command

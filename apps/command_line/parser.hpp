@@ -15,7 +15,9 @@ struct HelpPage {
     Words long_names;   ///< without dashes
     std::string value;  ///< what stands for its value; empty for a flag and for a word without dashes
     std::string about;
-    Words choices;  ///< values that a shell offers
+    Words choices;                   ///< values that a shell offers
+    std::string default_value = {};  ///< where help shows one
+    Words needs = {};                ///< names of options that must be given as well
   };
   std::string name, about, footer;
   std::vector<Option> options;

@@ -21,9 +21,19 @@ std::string roff(const std::string& text) {
   return out;
 }
 
+/// " (default: 21; needs --out)".
+std::string in_brackets(const HelpPage::Option& one) {
+  std::string text;
+  if (!one.default_value.empty()) text += "default: " + one.default_value;
+  if (!one.needs.empty())
+    text += fmt::format("{}needs {}", text.empty() ? "" : "; ", fmt::join(one.needs, ", "));
+  return text.empty() ? "" : " (" + text + ")";
+}
+
 std::string option(const HelpPage::Option& one) {
   const auto value = one.value.empty() ? "" : " " + one.value;
-  return fmt::format(".TP\n\\fB{}\\fR\\fI{}\\fR\n{}\n", roff(one.names), roff(value), roff(one.about));
+  return fmt::format(".TP\n\\fB{}\\fR\\fI{}\\fR\n{}\n", roff(one.names), roff(value),
+                     roff(one.about + in_brackets(one)));
 }
 
 std::string options(const HelpPage& page) {

@@ -38,6 +38,9 @@ BOOST_FIXTURE_TEST_CASE(man_page_and_completions_name_every_command_and_option, 
     BOOST_TEST(has(completion.out, "    " + command + ") words='"));
   }
   BOOST_TEST(has(page.out, "\\-\\-no\\-figures"));
+  BOOST_TEST(has(page.out, "How many speeds (default: 21)\n"));
+  BOOST_TEST(has(page.out, "Displacements of each mode (needs \\-\\-json)\n"));
+  BOOST_TEST(has(page.out, ".SS \"mariotte help\""));
   BOOST_TEST(has(completion.out, "--no-figures"));
   if (shell("command -v man").code == 0)
     BOOST_TEST(shell("\"$mariotte\" man | man --warnings -l - >/dev/null").err == "");
@@ -58,6 +61,8 @@ BOOST_FIXTURE_TEST_CASE(completions_offer_flows_codes_scenes_and_figures, Sessio
   };
   BOOST_TEST(offered("run --flow cvode-b") == "cvode-bdf-dense cvode-bdf-band cvode-bdf-klu\n");
   BOOST_TEST(offered("explain R00") == "R001 R002 R003 R004\n");
+  BOOST_TEST(offered("hel") == "help\n");
+  BOOST_TEST(offered("help sens") == "sensitivity\n");
   BOOST_TEST(offered("demo newton") == "newton_cradle_5\n");
   BOOST_TEST(offered("init y_") == "y_chain\n");
   BOOST_TEST(has(offered("reproduce acary-2"), "acary-2b"));
