@@ -11,6 +11,7 @@ from ._labels import name_curves, write_words
 
 _SHADES = ("#f1f4f8", "#e6ecf3", "#dce4ee")  # of one, two, three and more contacts
 _MOST_EVENTS = 24  # more would hide the curves
+_FAR = 400  # lengths of a panel between it and the start of the run
 
 
 def make_panels(ax: Any, windows: Sequence[Window], title: str) -> Tuple[List[Any], List[Window]]:
@@ -51,7 +52,32 @@ def draw_curves(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, 
         ax.set_ylim(factor * least, factor * most)
         _mark_events(ax, window, events, scale)
     name_curves(axes, windows, curves, groups, (least, most))
-    label_axes(axes, f"time t [{time_unit}]{note}", f"{curves.quantity} [{unit}]")
+    if len(axes) > 1 and _are_far(windows):
+        _count_from_events(axes, windows, events, scale, note)
+        axes[0].set_ylabel(f"{curves.quantity} [{unit}]")
+    else:
+        label_axes(axes, f"time t [{time_unit}]{note}", f"{curves.quantity} [{unit}]")
+
+
+def _are_far(windows: Sequence[Window]) -> bool:
+    """Whether a panel is so short that all digits of its times would be the same but for the last."""
+    return any(end > _FAR * (end - start) for start, end in windows)
+
+
+def _count_from_events(axes: Sequence[Any], windows: Sequence[Window], events: Sequence[Event], scale: float,
+                       note: str) -> None:
+    """Numbers of each panel count from the first event that it shows, whose time stands below them."""
+    from matplotlib import ticker  # type: ignore[attr-defined]
+
+    factor, unit = _core.display([max(end - start for start, end in windows)], "s")
+    for ax, (start, end) in zip(axes, windows):
+        origin = next((event.time for event in inside((start, end), events)), start)
+        low, high = factor * (start - origin), factor * (end - origin)
+        steps = [step for step in ticker.MaxNLocator(3).tick_values(low, high) if low <= step <= high]
+        ax.set_xticks([scale * (origin + step / factor) for step in steps], [f"{step:g}" for step in steps])
+        own, own_unit = _core.display([origin], "s")
+        ax.set_xlabel(f"$t_0$ = {own * origin:.6g} {own_unit}", fontsize="x-small")
+    axes[0].figure.supxlabel(f"time $t - t_0$ [{unit}]{note}", fontsize="medium")
 
 
 def label_axes(axes: Sequence[Any], x: str, y: str) -> None:

@@ -390,3 +390,16 @@ def test_a_law_alone_cannot_be_simulated():
     with pytest.raises(mt.SceneError):
         mt.simulate(law)
 
+
+
+def test_panels_of_impacts_far_apart_count_from_their_first_event():
+    pytest.importorskip("matplotlib")
+    ball = mt.Chain(balls=1, radius="5 mm", material="steel", law="kuwabara-kono", restitution=0.7, at=0.4,
+                    wall="left", gravity=9.81, gap="10 mm", run={"until": "0.15 s"})
+    hit = mt.simulate(ball)
+    ax = hit.plot.forces()
+    first = next(event.time for event in hit.events if event.close)
+    assert ax.get_xlabel() == f"$t_0$ = {1e3 * first:.6g} ms"
+    assert [label.get_text() for label in ax.get_xticklabels()][0] == "0"
+    assert ax.get_xticks()[0] == pytest.approx(first, rel=1e-12)
+    assert ax.figure._supxlabel.get_text().startswith("time $t - t_0$ [µs]")

@@ -75,6 +75,18 @@ BOOST_AUTO_TEST_CASE(a_panel_has_two_numbers_at_least) {
   BOOST_TEST(has(script, "set xtics 33.84,0.04,33.88\n"));
 }
 
+BOOST_AUTO_TEST_CASE(panels_too_short_for_their_times_count_from_their_first_event) {
+  const report::TimeAxis axis{{1, "s", 0},
+                              {{0.10083, 0.10089}, {0.20035, 0.20041}, {0.30035, 0.30041}},
+                              {{.time = 0.10084, .close = {0}}, {.time = 0.10088, .open = {0}}}};
+  const auto script = report::on_panels("f", "", axis, report::panels(axis.windows, 130),
+                                        [](const report::Panel&) { return "plot 0\n"; });
+  BOOST_TEST(has(script, "set xtics ('0' 0.10084, '40' 0.10088)\n"), script);
+  BOOST_TEST(has(script, "set label 't_0 = 0.10084 s' at graph 0.5,"));
+  BOOST_TEST(has(script, "set label 't_0 = 0.20035 s' at graph 0.5,"));
+  BOOST_TEST(has(script, "set label 'time t − t_0 [µs]' at screen"));
+}
+
 BOOST_AUTO_TEST_CASE(the_time_axis_has_one_name_below_the_middle_of_its_panels) {
   const report::TimeAxis axis{{1e3, "ms", 0}, {{0, 1e-3}, {5e-3, 6e-3}}, {}};
   const auto script = report::on_panels("f", "", axis, report::panels(axis.windows, 100),

@@ -12,8 +12,8 @@ namespace mariotte::report {
 namespace {
 
 constexpr double left_margin = 80, between = 16;  // pixels
-constexpr double bottom = 0.19, top = 0.82;       // parts of the sheet
-constexpr double name_of_time = 0.05, name_of_values = 0.036;
+constexpr double top = 0.82;                      // part of the sheet
+constexpr double name_of_time = 0.05, name_of_origin = 0.11, name_of_values = 0.036;
 constexpr double room_of_tick = 14;  // pixels beside a number below the axis
 constexpr double least_share = 0.6;  // of the widest panel
 
@@ -30,48 +30,105 @@ double step_between(double start, double end, double width) {
   return tick_step(end - start, width / pixels_of_tick(end, step));
 }
 
-/// gnuplot's ticks on a panel of `width` pixels. Beside others no number may reach over to theirs. Where
-/// there is room for one number only, two near the ends say how long the panel is, or one says where it is.
-std::string ticks(double start, double end, double width, bool has_others) {
+struct Ticks {
+  double step, first, last;
+  bool are_two() const { return first + step <= last * (1 + 1e-12); }
+};
+
+/// Those of a panel of `width` pixels. Beside others no number may reach over to theirs; where there is no
+/// room for two at even steps, two near the ends say how long the panel is.
+Ticks ticks(double start, double end, double width, bool has_others) {
   const auto inset = [&](double step) {
     const double half = 0.5 * (pixels_of_tick(end, step) - room_of_tick);
     return has_others ? std::max(0.0, half - 0.25 * between) * (end - start) / width : 0;
   };
-  const auto first = [&](double step) { return step * std::ceil((start + inset(step)) / step); };
-  const auto last = [&](double step) { return step * std::floor((end - inset(step)) / step); };
-  const double even = step_between(start, end, width);
-  if (first(even) + even <= last(even) * (1 + 1e-12))
-    return has_others ? fmt::format("{:.10g},{:g},{:.10g}", first(even), even, last(even))
-                      : fmt::format("{:g}", even);
-  double step = even;
+  const auto at_steps = [&](double step) -> Ticks {
+    return {step, step * std::ceil((start + inset(step)) / step),
+            step * std::floor((end - inset(step)) / step)};
+  };
+  const auto even = at_steps(step_between(start, end, width));
+  if (even.are_two()) return even;
+  double step = even.step;
   for (int finer = 0; finer < 3; ++finer) {
     step = tick_step(0.3 * step, 1);
-    const double apart = width * (last(step) - first(step)) / (end - start);
-    if (last(step) > first(step) && apart > pixels_of_tick(end, step) - room_of_tick)
-      return fmt::format("{:.10g},{:.10g},{:.10g}", first(step), last(step) - first(step), last(step));
+    const auto [_, first, last] = at_steps(step);
+    const double apart = width * (last - first) / (end - start);
+    if (last > first && apart > pixels_of_tick(end, step)) return {last - first, first, last};
   }
-  for (step = even; step > 1e-3 * even; step = tick_step(0.3 * step, 1))
-    if (first(step) <= last(step)) return fmt::format("{0:.10g},{1:g},{0:.10g}", first(step), step);
-  return fmt::format("{:g}", even);
+  return even;
 }
 
-/// Numbers below the panels; the first has the numbers beside the vertical axis.
-std::string horizontal_axis(const Panel& panel, const TimeAxis& axis, double width) {
-  const bool has_others = !panel.is_first || !panel.is_last;
-  const double start = axis.display.factor * panel.window.start, end = axis.display.factor * panel.window.end;
-  return fmt::format(
-      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.10g}:{:.10g}]\n"
-      "set xtics {}\n",
-      panel.left, panel.right, start, end, ticks(start, end, width, has_others));
+/// How the time axis of each panel has its numbers.
+class Numbers {
+ public:
+  Numbers(const TimeAxis& axis, const std::vector<Panel>& panels)
+      : axis_(axis), has_others_(panels.size() > 1) {
+    double longest = 0;
+    for (const auto& panel : panels) {
+      is_relative_ |= has_others_ && !ticks_of(panel).are_two();
+      longest = std::max(longest, panel.window.end - panel.window.start);
+    }
+    since_ = display_for(std::vector{longest}, "s");
+  }
+  double bottom() const { return is_relative_ ? 0.235 : 0.19; }
+  std::string name() const {
+    return is_relative_ ? fmt::format("time t − t_0 [{}]", since_.unit)
+                        : fmt::format("time t [{}]", axis_.display.unit);
+  }
+  std::string commands(const Panel& panel) const {
+    if (is_relative_) return relative(panel);
+    const auto [step, first, last] = ticks_of(panel);
+    const auto range =
+        fmt::format("set xrange [{:.10g}:{:.10g}]\n", shown(panel.window.start), shown(panel.window.end));
+    return range + (has_others_ ? fmt::format("set xtics {:.10g},{:.10g},{:.10g}\n", first, step, last)
+                                : fmt::format("set xtics {:g}\n", step));
+  }
+
+ private:
+  double shown(double time) const { return axis_.display.factor * time; }
+  static double width(const Panel& panel) { return (panel.right - panel.left) * one_column.width; }
+  Ticks ticks_of(const Panel& panel) const {
+    return ticks(shown(panel.window.start), shown(panel.window.end), width(panel), has_others_);
+  }
+  /// The first event that the panel shows, or its start.
+  double origin(const Window& window) const {
+    for (const auto& event : axis_.events)
+      if (event.time >= window.start && event.time <= window.end) return event.time;
+    return window.start;
+  }
+  /// Numbers that count from an instant, which stands below them: of the times themselves all digits would be
+  /// the same but for the last.
+  std::string relative(const Panel& panel) const {
+    const double t0 = origin(panel.window), start = since_.factor * (panel.window.start - t0),
+                 end = since_.factor * (panel.window.end - t0);
+    const bool is_long = end >= 100;  // so that the last number may reach over to those of others
+    const auto [step, _, last] = ticks(start, end, width(panel), is_long);
+    std::string list;
+    for (double at = step * std::ceil(start / step); at <= last * (1 + 1e-12); at += step)
+      list += fmt::format("{}'{}' {:.15g}", list.empty() ? "" : ", ",
+                          tick_name(std::abs(at) < 1e-9 * step ? 0 : at), shown(t0 + at / since_.factor));
+    const auto display = display_for(std::vector{t0}, "s");
+    return fmt::format(
+        "set xrange [{:.15g}:{:.15g}]\nset xtics ({})\n"
+        "set label 't_0 = {:.6g} {}' at graph 0.5, screen {} center\n",
+        shown(panel.window.start), shown(panel.window.end), list, display.factor * t0, display.unit,
+        name_of_origin);
+  }
+
+  const TimeAxis& axis_;
+  bool has_others_, is_relative_ = false;
+  Display since_{};
+};
+
+std::string edges(const Panel& panel) {
+  return fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", panel.left, panel.right);
 }
 
 /// Title, and the name of the time axis below the middle of all panels.
-std::string words_of_sheet(const Title& title, const TimeAxis& axis, const std::vector<Panel>& panels) {
+std::string words_of_sheet(const Title& title, const std::string& name, const std::vector<Panel>& panels) {
   return fmt::format(
-      "set label {} at screen 0.5, 0.96 center noenhanced\nset label 'time t [{}]{}' at screen {:.4f}, {} "
-      "center\n",
-      title.text, axis.display.unit, axis.note, 0.5 * (panels.front().left + panels.back().right),
-      name_of_time);
+      "set label {} at screen 0.5, 0.96 center noenhanced\nset label '{}' at screen {:.4f}, {} center\n",
+      title.text, name, 0.5 * (panels.front().left + panels.back().right), name_of_time);
 }
 
 }  // namespace
@@ -105,14 +162,16 @@ std::string on_panels(const std::string& file, const std::string& title, const T
                       const std::function<std::string(const Panel&)>& inside) {
   const auto head = wrapped(title);
   const double below_head = top - static_cast<double>(head.more_height) / one_column.height;
+  const Numbers numbers(axis, panels);
   std::string plot = "set multiplot\n";
   for (const auto& panel : panels) {
-    plot += panel.is_first ? "set border 3\nset ytics nomirror out\n" + words_of_sheet(head, axis, panels)
+    plot += panel.is_first ? "set border 3\nset ytics nomirror out\n" +
+                                 words_of_sheet(head, numbers.name() + axis.note, panels)
                            : "set border 1\nunset ytics\n";
-    plot += horizontal_axis(panel, axis, (panel.right - panel.left) * one_column.width);
+    plot += edges(panel) + numbers.commands(panel);
     plot += inside(panel) + "unset label\nunset arrow\nunset object\n";
   }
-  return fmt::format("\nset tmargin at screen {}\nset bmargin at screen {}\n", below_head, bottom) +
+  return fmt::format("\nset tmargin at screen {}\nset bmargin at screen {}\n", below_head, numbers.bottom()) +
          on_all_terminals(file, plot + "unset multiplot\n", one_column);
 }
 
