@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "mariotte/impact/chain/chain_impact.hpp"
 #include "mariotte/scene/scene.hpp"
 
 using namespace mariotte;
@@ -42,6 +43,25 @@ BOOST_AUTO_TEST_CASE(start_and_precompression_indent_the_contacts) {
   const auto both = chain("wall = 'both'\ngravity = 10\nprecompression = 10\n" + until);
   BOOST_TEST(both.gap[2] == pressed.gap[0]);
   BOOST_TEST(both.gap[0] == -std::pow(30 / 1e9, 2.0 / 3), tolerance(1e-14));
+}
+
+// Dampers bring them to rest: nothing would end the run.
+BOOST_AUTO_TEST_CASE(balls_that_stand_on_a_wall_need_a_limit) {
+  const auto read = [](const std::string& more) {
+    return std::get<model::Chain>(
+        scene::parse("[chain]\nmass = 1\nballs = 2\nlaw = 'kuwabara-kono'\nstiffness = "
+                     "1e9\nrelaxation_time = 1e-6\nwall = 'left'\ngravity = 10\n" +
+                         more,
+                     "s.toml")
+            .model);
+  };
+  const auto says = [](const scene::SceneError& error) {
+    return has(error.what(), "s.toml:8:11: chain.gravity: balls that stand on a wall come to rest there");
+  };
+  BOOST_CHECK_EXCEPTION(read(""), scene::SceneError, says);
+  BOOST_TEST(read(until).gap[0] == 0);
+  BOOST_TEST(read("velocity = [0, 1]\n").velocity[2] == 1);
+  BOOST_CHECK_THROW(impact::simulate(read(until)), InvalidParameter);
 }
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_where_it_stands) {

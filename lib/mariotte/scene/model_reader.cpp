@@ -76,6 +76,14 @@ void expect_limit_of_drive(const Source& source, const Field& root, const Field&
            "what is driven never comes to an end; it needs 'run.until' or 'run.max_time'");
 }
 
+/// Or what stands on a wall.
+void expect_limit_of_column(const Source& source, const Field& root, const Field& whole,
+                            const model::Chain& chain) {
+  if (!has_limit(root) && comes_to_rest(chain))
+    reject(source, find(whole, "gravity").value_or(whole), fault::missing,
+           "balls that stand on a wall come to rest there; they need 'run.until' or 'run.max_time'");
+}
+
 /// Of a chain or a network; `causes` are what could move it.
 void warn_of_rest(Source& source, const Field& whole, const auto& model, const char* causes) {
   const auto is_zero = [](double value) { return value == 0; };
@@ -88,7 +96,10 @@ ResolvedModel resolve_chain(Source& source, const Field& root, const Field& chai
   auto resolved = read_chain(source, chain, gravity(root));
   warn_of_idle_keys(source, chain);
   if (resolved.at_rest && purpose != Purpose::rest) expect_limit(source, root, chain);
-  if (purpose != Purpose::rest) expect_limit_of_drive(source, root, chain);
+  if (purpose != Purpose::rest) {
+    expect_limit_of_drive(source, root, chain);
+    expect_limit_of_column(source, root, chain, resolved.chain);
+  }
   if (purpose != Purpose::rest && resolved.chain.gravity == 0)
     warn_of_rest(source, chain, resolved.chain, "no velocity, no gravity, no compressed contact");
   expect_valid(source, root, {"chain", "run"}, resolved.chain);

@@ -81,9 +81,24 @@ bool falls_back(const Chain& chain) {
   return false;
 }
 
+bool comes_to_rest(const Chain& chain) {
+  const auto count_walls = std::count(chain.mass.begin(), chain.mass.end(), infinity);
+  const bool stands = chain.gravity > 0   ? std::isinf(chain.mass.front())
+                      : chain.gravity < 0 ? std::isinf(chain.mass.back())
+                                          : false;
+  return stands && count_walls == 1 &&
+         std::all_of(chain.gap.begin(), chain.gap.end(), [](double gap) { return gap == 0; }) &&
+         std::all_of(chain.velocity.begin(), chain.velocity.end(),
+                     [&](double v) { return v == chain.velocity.front(); }) &&
+         std::all_of(chain.law.begin(), chain.law.end(),
+                     [](const contact::Law& law) { return contact::dissipates(law); });
+}
+
 void expect_end(const Chain& chain, double max_time) {
   if (std::isfinite(max_time)) return;
   expect_end(chain.drive, max_time);
+  if (comes_to_rest(chain))
+    throw InvalidParameter("balls that stand on a wall under gravity come to rest there: give max_time");
   double fastest = -infinity;  // of the walls so far
   for (std::size_t i = 0; i < chain.mass.size(); ++i) {
     if (!std::isinf(chain.mass[i])) continue;

@@ -29,8 +29,12 @@ void validate(const Chain& chain);
 /// Whether gravity, towards decreasing position or upwards, pulls some ball back to a wall.
 bool falls_back(const Chain& chain);
 
-/// Throws InvalidParameter if there is a drive, or a wall moves towards another, which squeezes what is
-/// between them for ever, and no `max_time` [s] ends that.
+/// Whether gravity presses all balls, which touch and do not move, against a wall, and dampers bring them to
+/// rest.
+bool comes_to_rest(const Chain& chain);
+
+/// Throws InvalidParameter if the chain comes to rest, if there is a drive, or a wall moves towards another,
+/// which squeezes what is between them for ever, and no `max_time` [s] ends that.
 void expect_end(const Chain& chain, double max_time);
 
 /// ½ Σ m v² of the balls of finite mass at any velocities [J].
