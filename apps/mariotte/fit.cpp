@@ -60,6 +60,8 @@ int finish(const FitOptions& options, const scene::Scene& scene, study::FitModel
   if (!options.scene.quiet) warn_of_captured(fit, model.measurements());
   if (!options.scene.quiet)
     for (const auto& one : fit.warnings) warning(fmt::format("{} [{}]", one, fault::undetermined.code));
+  if (!options.scene.quiet)
+    for (const auto& one : model.warnings_of_speeds()) warning(one);
   if (!options.out.empty()) {
     const auto shortfall = write_fit_folder(options.out, report, study::fit_curves(model, fit));
     if (!shortfall.empty() && !options.scene.quiet) warning("no figures: " + shortfall);

@@ -70,6 +70,7 @@ void add_fit(py::module_& module) {
   py::class_<FitRun, std::shared_ptr<FitRun>>(module, "FitRun")
       .def("json", [](const FitRun& run) { return report::text(report::json(run.report())); })
       .def("table", [](const FitRun& run) { return report::table(run.report()); })
+      .def("warnings", [](FitRun& run) { return run.model->warnings_of_speeds(); })
       .def("curves", &curves);
   module.def("fit", &fit, py::arg("scene"), py::arg("text"), py::arg("name"), py::arg("free"),
              py::arg("confidence"), py::call_guard<py::gil_scoped_release>());

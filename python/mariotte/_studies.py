@@ -122,6 +122,7 @@ class Fit:
         self._run = run
         self._report: Dict[str, Any] = json.loads(run.json())
         self._table = run.table()
+        self._of_speeds = run.warnings()
 
     @property
     def estimates(self) -> Dict[str, Estimate]:
@@ -160,8 +161,8 @@ class Fit:
 
     @property
     def warnings(self) -> List[str]:
-        """Values that the measurements hardly determine."""
-        return list(self._report["warnings"])
+        """Values that the measurements hardly determine, and a restitution that holds at every speed."""
+        return [*self._report["warnings"], *self._of_speeds]
 
     def setting(self, key: str) -> Array:
         """What the measurements put into the scene [SI], one per measurement."""
@@ -182,7 +183,8 @@ class Fit:
         return self._run.curves()
 
     def __getstate__(self) -> Dict[str, Any]:
-        return {"_report": self._report, "_table": self._table, "_curves": self._curves}
+        return {"_report": self._report, "_table": self._table, "_of_speeds": self._of_speeds,
+                "_curves": self._curves}
 
     def json(self) -> Dict[str, Any]:
         """All of it, as `mariotte fit --json` prints it."""

@@ -110,6 +110,18 @@ BOOST_FIXTURE_TEST_CASE(a_number_on_which_nothing_depends_is_refused_alone, Fits
   BOOST_TEST(has(fit.err, "nothing that was measured depends on it"), fit.err);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_restitution_that_holds_at_every_speed_is_told, Fits) {
+  write("pair.toml",
+        "[chain]\nradius = 0.01\nmaterial = 'steel'\nlaw = 'kuwabara-kono'\nballs = 2\n"
+        "restitution = 0.8\nvelocity = [0.5, 0]\n");
+  write("balls.csv", "speed,restitution\n0.1,0.86\n0.3,0.82\n1,0.77\n3,0.72\n");
+  const std::string line = "fit pair.toml balls.csv --free chain.restitution";
+  const std::string why =
+      "warning: 'chain.restitution' is met at every speed, by another damping at each; 'chain.at'";
+  BOOST_TEST(has(mariotte(line).err, why), mariotte(line).err);
+  BOOST_TEST(!has(mariotte(line + " --set chain.at=0.5").err, why));
+}
+
 BOOST_FIXTURE_TEST_CASE(bad_data_are_refused_by_file_line_and_column, Fits) {
   write("bad.csv", "speed,restitution\n5,0.8\n6,high\n");
   const auto bad = mariotte("fit spheres.toml bad.csv");

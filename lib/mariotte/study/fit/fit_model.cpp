@@ -9,6 +9,7 @@
 #include "mariotte/impact/laws/restitution.hpp"
 #include "mariotte/scene/field.hpp"
 #include "mariotte/scene/key_path.hpp"
+#include "mariotte/study/constant_restitution.hpp"
 #include "mariotte/study/sweep/design_axes.hpp"
 
 namespace mariotte::study {
@@ -177,6 +178,22 @@ void FitModel::resolve_row(Measurement& row) {
     measurements_.settings[i].unit = unit_of_key(measurements_.settings[i].key, *reading.dimension);
     row.written[i] = shortened(row.written[i]);
   }
+}
+
+std::vector<std::string> FitModel::warnings_of_speeds() {
+  const auto& settings = measurements_.settings;
+  const auto one = std::ranges::find_if(settings, [](const Setting& each) { return is_speed(each.key); });
+  if (one == settings.end()) return {};
+  const auto speed_of = [&](const Measurement& row) {
+    const auto* number =
+        std::get_if<double>(&row.values[static_cast<std::size_t>(one - settings.begin())].value);
+    return number ? *number : 0;
+  };
+  const auto [slow, fast] = std::ranges::minmax_element(measurements_.rows, {}, speed_of);
+  const auto scene_of = [&](auto row) {
+    return scene_of_row(static_cast<std::size_t>(row - measurements_.rows.begin()), start_);
+  };
+  return warn_of_constant_restitution(document_, scene_of(slow), scene_of(fast));
 }
 
 Prediction FitModel::of_row(std::size_t row, std::span<const double> values) try {

@@ -40,6 +40,8 @@ class FitModel {
   scene::Scene scene_of_row(std::size_t row, std::span<const double> values) {
     return scene_at(measurements_.rows[row].values, values);
   }
+  /// What has to be said of the scene at the speeds of the measurements.
+  std::vector<std::string> warnings_of_speeds();
   /// What row `row` would measure with these values of the free keys. Throws Error that names the row.
   Prediction of_row(std::size_t row, std::span<const double> values);
 
