@@ -72,6 +72,35 @@ BOOST_AUTO_TEST_CASE(the_course_next_to_the_capture_velocity_counts) {
 }
 
 // v_c² m is the energy of the jump, ~ w^{5/3} R^{4/3} E^{−2/3}.
+// Its tips come to rest and slip anew so near to each other that slopes of the restitution are left out.
+BOOST_AUTO_TEST_CASE(a_missing_slope_has_a_note) {
+  const auto found = slopes_of(R"([body]
+shape = "custom"
+mass = 1.9075e-13
+inertia = [5.4946e-25, 3.8405e-25, 5.5446e-25]
+tips = [{centre = [-1.188e-06, 0, 2.11e-07], radius = 2.147e-06},
+        {centre = [1.058e-06, 0, 3.02e-07], radius = 2.263e-06}]
+[surface]
+stiffness = 1.74e9
+work_of_adhesion = 0.38
+damping_hertz = 0
+damping_adhesion = 0.05
+friction = 0.9
+[incidence]
+normal_speed = 12
+tangential_velocity = [0, -0.7]
+angles = [0, 0.5808, 0]
+[run]
+impacts = 1
+)",
+                               {"surface.friction"});
+  BOOST_TEST(!found.outcome[0].slope[0]);
+  BOOST_TEST_REQUIRE(!found.notes.empty());
+  BOOST_TEST(
+      found.notes.back().text.starts_with("next to the capture velocity: a slip in space passes so near"));
+  BOOST_TEST(found.notes.back().text.ends_with("they are left out"));
+}
+
 BOOST_AUTO_TEST_CASE(pairs_that_adhere_have_those_of_their_scales) {
   const std::string law =
       "law = 'jkr'\neffective_modulus = 1.3e9\neffective_radius = 5e-6\n"

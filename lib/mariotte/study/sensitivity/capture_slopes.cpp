@@ -156,17 +156,25 @@ Limit limit(std::array<Slope, speeds> at) {
   return {at[0], std::abs(*at[0] - before) / std::max(std::abs(*at[0]), 1e-300)};
 }
 
-/// Quotients at the speeds above v_c, and whether the rebound has one course from there down to v_c.
+/// Quotients at the speeds above v_c, what has to be said where one is missing, and whether the rebound has
+/// one course from there down to v_c.
 struct Near {
   std::array<std::vector<Slope>, speeds> quotient;
-  bool is_even;
+  std::vector<impact::SlopeNote> notes = {};
+  bool is_even = false;
 };
+
+bool has_all(const std::vector<Slope>& slopes) {
+  return std::all_of(slopes.begin(), slopes.end(), [](const Slope& one) { return one.has_value(); });
+}
 
 Near look(const Run& run, double capture_velocity, double least_distance) {
   Near near;
   std::array<Slope, speeds> square;
   for (std::size_t i = 0; i < speeds; ++i) {
-    auto found = rebound(run(capture_velocity * (1 + std::ldexp(least_distance, static_cast<int>(i)))));
+    const auto of_run = run(capture_velocity * (1 + std::ldexp(least_distance, static_cast<int>(i))));
+    auto found = rebound(of_run);
+    if (near.notes.empty() && !has_all(found.slope)) near.notes = of_run.notes;
     square[i] = found.value ? Slope(*found.value * *found.value) : std::nullopt;
     near.quotient[i] = quotients(std::move(found.slope));
   }
@@ -223,6 +231,12 @@ impact::Sensitivity sensitivity_of_capture(const scene::Document& document, cons
     if (is_shown(asked[p].parameter, keys))
       add(limit({near.quotient[0][p], near.quotient[1][p], near.quotient[2][p], near.quotient[3][p]}),
           asked[p], result);
+  if (!has_all(result.outcome[0].slope))
+    for (auto note : near.notes) {
+      if (note.error == 0) continue;  // it leaves out nothing
+      note.text = "next to the capture velocity: " + note.text;
+      result.notes.push_back(std::move(note));
+    }
   return result;
 }
 
