@@ -359,3 +359,36 @@ BOOST_AUTO_TEST_CASE(slopes_of_a_run_without_a_digit_are_left_out_with_a_note) {
   const auto tells = [](const impact::SlopeNote& note) { return note.text.ends_with("they are left out"); };
   BOOST_TEST(std::count_if(found.notes.begin(), found.notes.end(), tells) == 1);
 }
+
+// That bodies have strayed is asked at the same instants, and is no event.
+BOOST_AUTO_TEST_CASE(events_of_bodies_in_space_fall_together_with_no_others) {
+  const auto found = slopes_of(R"([bodies]
+dimension = 3
+law = "hertz"
+stiffness = 1e8
+[[bodies.body]]
+shape = "custom"
+mass = 0.1
+spheres = [{ centre = [0.01, 0.005, 0], radius = 0.01 }]
+inertia = [1.2e-5, 1.45e-5, 1.5e-5]
+position = [0, 0, 0.03]
+velocity = [0.3, 0, -2]
+spin = [100, 200, 300]
+[[bodies.body]]
+mass = 0.1
+radius = 0.01
+position = [0, 0, 0.08]
+velocity = [0, 0, -3]
+[[bodies.plane]]
+normal = [0, 0, 1]
+[[bodies.plane]]
+normal = [1, 0, 0]
+point = [-0.05, 0, 0]
+[run]
+until = 0.02
+)",
+                               {"body[0].velocity[2]"});
+  for (const auto& note : found.notes)
+    BOOST_TEST(note.text.find("fall together") == std::string::npos, note.text);
+  BOOST_TEST(slope(found, "bodies[0].velocity[0]", 0) == 1.34342079086, boost::test_tools::tolerance(1e-8));
+}

@@ -109,6 +109,10 @@ std::vector<Index> BodiesVariation<D>::telling(const std::vector<Index>& fired, 
       guard = phase.slot_guard(guard / model::guards_per_slot, model::SlotGuard::open);
     if (std::find(list.begin(), list.end(), guard) == list.end()) list.push_back(guard);
   }
+  // Bodies that stray, or have flown apart, change nothing: they tell a time only where nothing else does.
+  const auto is_of_contact = [&](Index guard) { return contact_of(guard, before) >= 0; };
+  if (std::any_of(list.begin(), list.end(), is_of_contact))
+    std::erase_if(list, [&](Index guard) { return !is_of_contact(guard); });
   if (list.empty())  // a phase that could not go on to the end of a contact
     for (const auto& one : before.closed)
       if (place_of(after, one.contact) < 0)
