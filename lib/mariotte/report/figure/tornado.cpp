@@ -23,6 +23,7 @@ namespace {
 
 constexpr const char* figure = "tornado";
 constexpr std::size_t most_bars = 8, most_panels = 12;
+constexpr double told_from_zero = 1e-9;  // the errors of runs are below
 constexpr const char* what_is_shown = "% of the outcome per % of the parameter";
 constexpr std::size_t letters_of_wide = 88;       ///< in a title of both columns
 constexpr int head_height = 74, bar_height = 20;  ///< of a panel, in pixels of the screen
@@ -159,7 +160,7 @@ std::vector<RelativeSlope> relative_slopes(const impact::Sensitivity& slopes,
     longest = std::max(longest, std::abs(relative));
   }
   std::erase_if(bars, [&](const RelativeSlope& bar) {
-    return !(std::abs(bar.value) > 1e-6 * longest) || impact::is_rounding(bar.value, 1, 1);
+    return !(std::abs(bar.value) > std::max(1e-6 * longest, told_from_zero));
   });
   std::stable_sort(bars.begin(), bars.end(), [](const RelativeSlope& a, const RelativeSlope& b) {
     return std::abs(a.value) > std::abs(b.value);
