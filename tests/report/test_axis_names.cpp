@@ -22,6 +22,9 @@ BOOST_AUTO_TEST_CASE(results_have_words_and_a_symbol_with_numbers_from_1) {
 BOOST_AUTO_TEST_CASE(places_from_the_end_are_n_and_before) {
   BOOST_TEST(name_of_result("final.velocity[-1]", "v_i") == "final velocity v_{n}");
   BOOST_TEST(name_of_result("contacts[-2].peak_force", "max f_n") == "peak force max f_{n,n−1}");
+  BOOST_TEST(name_of_result("contacts[-1].peak_force", "max f_j") == "peak force max f_{n−1}");
+  BOOST_TEST(name_of_result("icr[-2]", "α_j") == "impulse correlation ratio α_{n−3}");
+  BOOST_TEST(name_of_result("energy.ratio_lab", "T⁺/T⁻") == "energy ratio T⁺/T⁻");
 }
 
 BOOST_AUTO_TEST_CASE(a_legend_has_symbols_or_words_for_want_of_one) {

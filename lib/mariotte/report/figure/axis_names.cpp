@@ -50,13 +50,13 @@ struct Path {
   std::vector<std::string> names;
   std::vector<int> numbers;
 
-  /// "2,1", or "n", "n−1" from the end.
-  std::string number() const {
+  /// "2,1", or "n", "n−1" from the end, where there are so many `fewer` than balls.
+  std::string number(int fewer = 0) const {
     std::string text;
     for (const int one : numbers)
-      text += (text.empty() ? "" : ",") + (one > 0    ? std::to_string(one)
-                                           : one == 0 ? "n"
-                                                      : fmt::format("n−{}", -one));
+      text += (text.empty() ? "" : ",") + (one > 0        ? std::to_string(one)
+                                           : one == fewer ? "n"
+                                                          : fmt::format("n−{}", fewer - one));
     return text;
   }
 };
@@ -106,7 +106,8 @@ std::string numbered(std::string_view symbol, const Path& path) {
   if (mark == text.npos) return with_index(text, path.number());
   const char letter = text[mark + 1];
   const auto before = letter == 'i' || letter == 'j' ? "" : fmt::format("{},", letter);
-  return text.replace(mark, 2, fmt::format("_{{{}{}}}", before, path.number()));
+  const int fewer = letter != 'j' ? 0 : path.names.front() == "icr" ? 2 : 1;  // ratios, contacts
+  return text.replace(mark, 2, fmt::format("_{{{}{}}}", before, path.number(fewer)));
 }
 
 std::string words_of_result(const Path& path) {
@@ -116,6 +117,8 @@ std::string words_of_result(const Path& path) {
     return "number of " + spaced(path.names[path.names.size() - 2]);
   if (const auto* known = find(dictionary, first)) return std::string(known->words);
   if (first == "final") return "final " + last;
+  if (last == "ratio lab") return "energy ratio";
+  if (last == "ratio centre") return "energy ratio in the mass-centre frame";
   const bool qualifies = first == "energy" || first == "momentum" || first == "restitution";
   return qualifies && path.names.size() > 1 ? last + " " + first : last;
 }

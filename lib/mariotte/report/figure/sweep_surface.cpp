@@ -45,6 +45,9 @@ constexpr const char* contour_lines =
     ", \\\n  $lines using 1:2 with lines lc rgb 'white' lw 1 dt solid notitle"
     ", \\\n  $names using 1:2:(gprintf('{/*0.8 %.3g}', $3)) with labels boxed notitle";
 
+/// Else the outermost points would be cut.
+constexpr const char* room_for_points = "set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n";
+
 /// None where all is the same but for rounding.
 std::string contours(const std::string& data, Index count) {
   return "lined = high - low > 1e-9 * size\nif (lined) {\n" + contour_table(data, count) + "}\n";
@@ -65,8 +68,8 @@ std::string surface(const study::Design& design, const Columns& columns, const S
   return "unset key\nunset grid\nset cblabel offset 0.5,0\n"
          "set rmargin at screen 0.72\n" +
          value_axis({at}, column.key, column, "cb") + (options.logarithmic ? logarithmic_colours() : "") +
-         (lined ? contours(data, options.contours) : "") +
-         on_all_terminals(figure.file, unless_empty(plot, "2"), one_column);
+         (lined ? contours(data, options.contours) : "") + (is_map(design) ? "" : room_for_points) +
+         on_all_terminals(figure.file, unless_empty(plot, "2"), one_column) + "unset offsets\n";
 }
 
 }  // namespace mariotte::report
