@@ -1,5 +1,7 @@
 #include "command_line/parser.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -28,6 +30,14 @@ CLI::Option* add(CLI::App& app, const Option& option) {
       option.target);
 }
 
+/// Why a number is refused; CLI11 writes 1e-15 as zero.
+std::string outside(const Range& range, const std::string& text) {
+  const auto value = number(text);
+  const bool is_told_elsewhere = !value || !std::isfinite(*value);
+  if (is_told_elsewhere || (*value >= range.least && *value <= range.most)) return "";
+  return fmt::format("{} is not in the range {:g} to {:g}", text, range.least, range.most);
+}
+
 struct AddCheck {
   CLI::Option& made;
   const Target& target;
@@ -37,7 +47,8 @@ struct AddCheck {
     if (std::holds_alternative<int*>(target) || std::holds_alternative<std::int64_t*>(target))
       made.check(CLI::Range(static_cast<int>(range.least), static_cast<int>(range.most)));
     else
-      made.check(CLI::Range(range.least, range.most));
+      made.check(CLI::Validator([range](const std::string& text) { return outside(range, text); },
+                                fmt::format("FLOAT in [{:g} - {:g}]", range.least, range.most)));
   }
   void operator()(const OneOf& one) const { made.check(CLI::IsMember(one.words)); }
   void operator()(NotNegative) const { made.check(CLI::NonNegativeNumber); }

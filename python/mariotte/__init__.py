@@ -4,7 +4,11 @@ Make a scene with :class:`Chain`, :class:`Network`, :class:`Body`, :class:`Bodie
 :func:`simulate` it. Numbers are in SI units, text may carry a unit, and indices count from 0.
 """
 
-from ._core import version as __version__
+try:
+    from ._core import version as __version__
+except ModuleNotFoundError as missing:
+    raise ModuleNotFoundError("the compiled part of mariotte is not there for this Python; ./dev python builds it",
+                              name=missing.name) from missing
 from ._errors import Error, FileError, FitError, InvalidParameter, ModelWarning, SceneError
 from ._bodies import BodiesImpact, Losses
 from ._events import Event, TipImpact

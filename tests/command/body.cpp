@@ -39,6 +39,12 @@ BOOST_FIXTURE_TEST_CASE(who_wants_the_restitution_of_a_body_is_told_the_way, Bod
   BOOST_TEST(has(run.err, "for a [body], sweep 'incidence.normal_speed'"));
 }
 
+BOOST_FIXTURE_TEST_CASE(what_cannot_be_captured_is_told_what_can, Bodies) {
+  const auto run = mariotte("capture " MARIOTTE_SCENES "/newton_cradle_5.toml");
+  BOOST_TEST(run.code == 3);
+  BOOST_TEST(has(run.err, "only a [body], or two bodies of a [chain], can be captured"));
+}
+
 BOOST_FIXTURE_TEST_CASE(json_of_a_body_has_the_promised_keys, Bodies) {
   const auto result = json("run microrod.toml");
   BOOST_TEST(result["model"] == "microbody");
@@ -140,5 +146,5 @@ BOOST_FIXTURE_TEST_CASE(commands_for_another_model_refuse_the_scene, Bodies) {
   BOOST_TEST(has(law.err, "need a [chain], [network] or [bodies]"));
   const auto capture = mariotte("capture three.toml");
   BOOST_TEST(capture.code == 3);
-  BOOST_TEST(has(capture.err, "only two bodies of a [chain]"));
+  BOOST_TEST(has(capture.err, "only a [body], or two bodies of a [chain]"));
 }

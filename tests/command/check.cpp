@@ -108,7 +108,9 @@ BOOST_FIXTURE_TEST_CASE(check_prints_the_restitution_of_damped_contacts, Session
         "[body]\nshape = \"sphere\"\nradius = 1e-3\ndensity = 1000\n[surface]\nstiffness = \"1 GPa\"\n"
         "restitution = 0.8\n[incidence]\nnormal_speed = 3\n");
   const auto sphere = mariotte("check sphere.toml").out;
-  BOOST_TEST(has(sphere, "Restitution of each tip alone\n  tip  e at 0.3 m/s  e at 3 m/s  e at 30 m/s\n"));
+  BOOST_TEST(has(
+      sphere,
+      "Restitution of each tip alone, by the damping above\n  tip  e at 0.3 m/s  e at 3 m/s  e at 30 m/s\n"));
   BOOST_TEST(has(sphere, "  0.80000000  "));
 
   write("bodies.toml",
@@ -233,6 +235,12 @@ BOOST_FIXTURE_TEST_CASE(numbers_of_options_are_finite, Session) {
     BOOST_TEST(has(run.err, "finite"), run.err);
     BOOST_TEST(has(run.err, "[U003]"), run.err);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_number_out_of_its_range_is_told_the_range, Session) {
+  const auto run = mariotte("capture " MARIOTTE_SCENES "/microsphere.toml --tolerance 1e-16");
+  BOOST_TEST(run.code == 2);
+  BOOST_TEST(has(run.err, "--tolerance: 1e-16 is not in the range 1e-15 to 0.5"), run.err);
 }
 
 BOOST_FIXTURE_TEST_CASE(options_that_would_have_no_effect_are_refused, Session) {

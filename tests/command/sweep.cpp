@@ -268,6 +268,26 @@ BOOST_FIXTURE_TEST_CASE(points_beyond_double_precision_have_no_result, Session) 
   for (const int row : {2, 3, 5}) BOOST_TEST(has(rows[row], "double precision"), rows[row]);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_restitution_that_holds_at_every_speed_is_told, Session) {
+  const auto told = [&](const std::string& law) {
+    write("pair.toml",
+          "[chain]\nradius = 0.01\nmaterial = 'steel'\nballs = 2\nvelocity = [0.5, 0]\nrestitution = 0.8\n" +
+              law + "[[sweep]]\nkey = 'chain.velocity[0]'\nvalues = [0.1, 1]\n");
+    return has(mariotte("sweep pair.toml --out out --force --no-figures").err,
+               "'chain.restitution' is met at every speed");
+  };
+  BOOST_TEST(told("law = 'kuwabara-kono'\n"));
+  BOOST_TEST(!told("law = 'kuwabara-kono'\nat = 0.5\n"));
+  BOOST_TEST(!told("law = 'kelvin-voigt'\nstiffness = 1e6\n"));  // one damping has it at all speeds
+}
+
+BOOST_FIXTURE_TEST_CASE(formulas_have_names_of_their_own, Session) {
+  write("map.toml", support::few);
+  const auto run = mariotte("sweep map.toml --out out --column 'final.velocity[0] = icr[0]'");
+  BOOST_TEST(run.code == 2);
+  BOOST_TEST(has(run.err, "'final.velocity[0]' is the key of a result"), run.err);
+}
+
 BOOST_FIXTURE_TEST_CASE(errors_have_their_codes_and_leave_nothing, Session) {
   write("bad.toml",
         std::string(support::three_balls) + "[[sweep]]\nkey = 'chain.velocity[0]'\nvalues = ['1 kg']\n");

@@ -45,7 +45,7 @@ BOOST_FIXTURE_TEST_CASE(another_sweep_in_the_folder_is_refused_unless_forced, Se
   for (const std::string change : {"--set 'chain.mass[0]=2'", "--accuracy 1e-6", "--column 'icr[0]'"}) {
     const auto refused = mariotte("sweep few.toml --out out " + change);
     BOOST_TEST(refused.code == 6);
-    BOOST_TEST(has(refused.err, "belongs to another sweep"));
+    BOOST_TEST(has(refused.err, "have changed (--force starts anew)"));
   }
   BOOST_TEST(content(folder / "out/sweep.csv") == before);
   BOOST_TEST(mariotte("sweep few.toml --out out --force --accuracy 1e-6").code == 0);

@@ -56,6 +56,14 @@ BOOST_AUTO_TEST_CASE(table_says_that_gravity_brings_balls_back) {
   BOOST_TEST(!has(report::table(impact, scene), "gravity"));
 }
 
+BOOST_AUTO_TEST_CASE(table_says_of_what_is_bound_when_its_numbers_are) {
+  auto [impact, scene] = long_chain(3);
+  impact.ending = hybrid::Ending::bound;
+  impact.bound_frequency = {1e6};
+  const auto text = report::table(impact, scene);
+  BOOST_TEST(has(text, "rings on at 1e+06 Hz\nall numbers are those of this instant; run.until"), text);
+}
+
 BOOST_AUTO_TEST_CASE(table_shows_every_part_of_the_result) {
   auto impact = support::three_balls_impact();
   impact.validity.contact_radius_ratio = impact::Extreme{0.25, 1};

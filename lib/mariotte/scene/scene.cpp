@@ -80,11 +80,6 @@ void refuse(const LawAlone&) {
   throw SceneError(no_model, fault::no_model);
 }
 
-const model::Microbody& body_of(const Scene& scene, const std::string& file, const char* what) {
-  if (const auto* body = std::get_if<model::Microbody>(&scene.model)) return *body;
-  throw SceneError(file + ": only a [body] can be " + what, fault::no_model);
-}
-
 Document parse_document(const std::string& text, const std::string& name, const Overrides& overrides) {
   Document document{.source = {.name = name, .origins = {}}, .tree = {}, .sha256 = {}};
   document.tree = parse_toml(document.source, text);

@@ -70,9 +70,6 @@ enum class Purpose { simulation, law, rest };
 /// Where a model is needed: throws SceneError, since there is none.
 [[noreturn]] void refuse(const LawAlone& nothing);
 
-/// The scene's body. Throws SceneError, with `file` and "only a [body] can be" before `what`, if it has none.
-const model::Microbody& body_of(const Scene& scene, const std::string& file, const char* what);
-
 /// Read a scene from a file. Throws FileError or SceneError.
 Scene read(const std::string& path, const Overrides& overrides = {}, Purpose purpose = Purpose::simulation);
 

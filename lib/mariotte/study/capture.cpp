@@ -16,6 +16,13 @@ bool always_parts(const scene::Document& document) {
   return surface && scene::find(*surface, "restitution") && !scene::find(*surface, "at");
 }
 
+void expect_captured(const scene::Scene& scene, const std::string& file) {
+  const auto* chain = std::get_if<model::Chain>(&scene.model);
+  if (!std::holds_alternative<model::Microbody>(scene.model) && !(chain && chain->law.size() == 1))
+    throw scene::SceneError(file + ": only a [body], or two bodies of a [chain], can be captured",
+                            fault::no_model);
+}
+
 }  // namespace
 
 model::Chain struck(model::Chain pair, double speed) {
@@ -31,12 +38,13 @@ model::Chain struck(model::Chain pair, double speed) {
 std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document, double tolerance,
                                                         const std::function<void()>& watch) {
   const auto scene = resolve(document);
+  expect_captured(scene, document.source.name);
   if (const auto* chain = std::get_if<model::Chain>(&scene.model)) {
     const double approach = scene::largest_approach(*chain);
     return impact::capture_velocity(pair_of(scene, document.source.name, "captured"),
                                     approach > 0 ? approach : 1, tolerance);
   }
-  const auto& body = body_of(scene, document.source.name, "captured");
+  const auto& body = std::get<model::Microbody>(scene.model);
   if (always_parts(document)) return std::nullopt;
   // ζ's are read again at every speed, since the damping they stand for depends on it.
   const auto at_speed = [&](double speed) {

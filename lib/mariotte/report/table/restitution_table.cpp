@@ -30,7 +30,7 @@ std::string restitution_table(const std::string& thing, Index count, double spee
     for (const double factor : factors) cells.push_back(cell([&] { return restitution(i, factor * speed); }));
     return cells;
   };
-  return "\nRestitution of each " + thing + " alone\n" + columns(header, count, row);
+  return "\nRestitution of each " + thing + " alone, by the damping above\n" + columns(header, count, row);
 }
 
 }  // namespace mariotte::report

@@ -34,6 +34,8 @@ std::string summary(const impact::ContactImpact& impact, const std::string& size
     text += "\ngravity brings balls back to the wall; run.until follows them on";
   for (const double one : impact.bound_frequency)
     text += fmt::format("\nheld together by adhesion, rings on at {:.6g} Hz", one);
+  if (impact.ending == hybrid::Ending::bound)
+    text += "\nall numbers are those of this instant; run.until follows the motion on";
   return text + "\n";
 }
 

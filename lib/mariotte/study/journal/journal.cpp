@@ -80,7 +80,9 @@ std::size_t Journal::scan(const std::filesystem::path& path) {
   const auto heading = heading_line(identity_, points_);
   const auto expect = [&](bool own) {
     if (!own)
-      fail(path, "belongs to another sweep: the scene, its overrides, columns or the program have changed",
+      fail(path,
+           "belongs to another sweep: the scene, its overrides, columns or the program have changed "
+           "(--force starts anew)",
            fault::foreign_journal);
   };
   while (std::getline(stream, line) && !stream.eof()) {

@@ -5,6 +5,7 @@
 
 #include "mariotte/core/overload.hpp"
 #include "mariotte/scene/field.hpp"
+#include "mariotte/study/constant_restitution.hpp"
 #include "mariotte/study/sweep/design_reader.hpp"
 #include "mariotte/study/sweep/formula_reader.hpp"
 #include "mariotte/study/sweep/variation.hpp"
@@ -112,6 +113,14 @@ class ColumnReader {
     if (name == "ending" || name == "reason") return true;
     return std::any_of(varied.begin(), varied.end(), [&](const auto& one) { return one.key == name; });
   }
+  bool is_of_results(const std::string& name) const {
+    try {
+      expand({name}, example_, points_, plan_.design, Counting::without_run);
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  }
   /// Its place among the results.
   std::size_t result(const Column& column) {
     const auto found = std::find_if(plan_.results.begin(), plan_.results.end(),
@@ -129,6 +138,8 @@ class ColumnReader {
     const auto name = trimmed(text.substr(0, sign));
     if (name.empty()) throw ColumnError("'" + text + "' needs a name before '='");
     if (is_known(name) || is_taken(name)) throw ColumnError("there are two columns '" + name + "'");
+    if (is_of_results(name))
+      throw ColumnError("'" + name + "' is the key of a result; give the formula another name");
     if (text.find("[*]") != text.npos)
       throw ColumnError("'" + text + "': [*] stands for several numbers, an expression is one");
     Formula formula{.expression = Expression(trimmed(text.substr(sign + 1))), .terms = {}};
@@ -164,6 +175,18 @@ Keys own_columns(SweepPlan trial, const Example& example, Variation& points) {
   return keys;
 }
 
+/// Of the ends of an axis of speeds; points that make no sense say so themselves.
+std::vector<std::string> warnings_of_speeds(const SweepPlan& plan, Variation& points) try {
+  const auto& all = plan.design.parameters;
+  const auto moved = std::ranges::find_if(all, [](const Parameter& one) { return is_speed(one.key); });
+  if (moved == all.end()) return {};
+  const auto& axis = plan.design.axes[static_cast<std::size_t>(moved->axis)];
+  const auto slow = points.at(0);
+  return warn_of_constant_restitution(plan.document, slow, points.at(axis.stride * (axis.count - 1)));
+} catch (const Error&) {
+  return {};
+}
+
 }  // namespace
 
 SweepPlan read_sweep(scene::Document document, const Keys& columns) {
@@ -180,6 +203,7 @@ SweepPlan read_sweep(scene::Document document, const Keys& columns) {
   plan.title = scene.title;
   plan.figure = scene.figure;
   plan.warnings = scene.warnings;
+  for (auto& one : warnings_of_speeds(plan, points)) plan.warnings.push_back(std::move(one));
   return plan;
 }
 
