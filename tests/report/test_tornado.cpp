@@ -30,6 +30,12 @@ BOOST_AUTO_TEST_CASE(bars_are_relative_and_sorted) {
   BOOST_TEST(report::relative_slopes(slopes, slopes.outcome[1]).empty());
 }
 
+BOOST_AUTO_TEST_CASE(errors_of_runs_are_no_bars) {
+  auto slopes = two_outcomes();
+  slopes.outcome[0].slope = {1e-11, 1e-12, 0.0, std::nullopt};
+  BOOST_TEST(report::relative_slopes(slopes, slopes.outcome[0]).empty());
+}
+
 BOOST_AUTO_TEST_CASE(outcomes_that_have_bars_have_a_panel) {
   const auto text = report::tornado_csv(two_outcomes());
   BOOST_TEST(text.starts_with("panel,place,slope [% per %],parameter\n1,1,-1.6"));

@@ -184,16 +184,16 @@ std::vector<std::string> FitModel::warnings_of_speeds() {
   const auto& settings = measurements_.settings;
   const auto one = std::ranges::find_if(settings, [](const Setting& each) { return is_speed(each.key); });
   if (one == settings.end()) return {};
+  const auto place = static_cast<std::size_t>(one - settings.begin());
   const auto speed_of = [&](const Measurement& row) {
-    const auto* number =
-        std::get_if<double>(&row.values[static_cast<std::size_t>(one - settings.begin())].value);
+    const auto* number = std::get_if<double>(&row.values[place].value);
     return number ? *number : 0;
   };
   const auto [slow, fast] = std::ranges::minmax_element(measurements_.rows, {}, speed_of);
-  const auto scene_of = [&](auto row) {
-    return scene_of_row(static_cast<std::size_t>(row - measurements_.rows.begin()), start_);
-  };
-  return warn_of_constant_restitution(document_, scene_of(slow), scene_of(fast));
+  auto values = slow->values;
+  const auto slowest = scene_at(values, start_);
+  values[place] = fast->values[place];
+  return warn_of_constant_restitution(document_, slowest, scene_at(values, start_));
 }
 
 Prediction FitModel::of_row(std::size_t row, std::span<const double> values) try {
