@@ -392,3 +392,29 @@ until = 0.02
     BOOST_TEST(note.text.find("fall together") == std::string::npos, note.text);
   BOOST_TEST(slope(found, "bodies[0].velocity[0]", 0) == 1.34342079086, boost::test_tools::tolerance(1e-8));
 }
+
+// The run ends when the body cannot come back, and its spin moves on.
+BOOST_AUTO_TEST_CASE(what_moves_on_when_a_body_in_space_has_flown_apart_has_no_slopes) {
+  const auto found = slopes_of(R"([bodies]
+dimension = 3
+law = "hertz"
+stiffness = 1e8
+[[bodies.body]]
+shape = "custom"
+mass = 0.1
+spheres = [{ centre = [0.01, 0.005, 0], radius = 0.01 }]
+inertia = [1.2e-5, 1.45e-5, 1.5e-5]
+position = [0, 0, 0.03]
+velocity = [0.3, 0, -2]
+spin = [10, 20, 30]
+[[bodies.plane]]
+normal = [0, 0, 1]
+)",
+                               {"body[0].velocity[2]"});
+  for (const auto& one : found.outcome) {
+    if (one.name == "bodies[0].velocity") BOOST_TEST(one.slope[0].has_value());
+    if (one.name == "bodies[0].spin" || one.name == "time") BOOST_TEST(!one.slope[0].has_value(), one.name);
+  }
+  BOOST_TEST_REQUIRE(!found.notes.empty());
+  BOOST_TEST(found.notes[0].text.ends_with("nor has what still moves then"));
+}

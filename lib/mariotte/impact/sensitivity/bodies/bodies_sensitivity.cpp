@@ -78,6 +78,10 @@ class GroupSlopes {
   }
 
   double slope(Index row, Index c) const { return end_.slopes(row, c) + end_.rate[row] * end_.time[c]; }
+  /// None of what moves on where the end of the run has none.
+  std::optional<double> at_end(double slope, bool moves) const {
+    return end_.time_is_noise && moves ? std::nullopt : std::optional(slope);
+  }
 
   template <class Slope>
   void add(std::string name, std::optional<Index> index, const char* unit, double value, Slope&& slope_of) {
@@ -90,8 +94,9 @@ class GroupSlopes {
     for (Index i = 0; i < at.bodies; ++i) {
       const auto name = "bodies[" + std::to_string(i) + "].";
       for (Index k = 0; k < D; ++k)
-        add(name + "velocity", k, "m/s", end_.run.state[at.velocity(i) + k],
-            [&](Index c) { return slope(at.velocity(i) + k, c); });
+        add(name + "velocity", k, "m/s", end_.run.state[at.velocity(i) + k], [&](Index c) {
+          return at_end(slope(at.velocity(i) + k, c), end_.rate[at.velocity(i) + k] != 0);
+        });
       add_spin(name + "spin", i);
     }
   }
@@ -101,9 +106,23 @@ class GroupSlopes {
     const auto at = system_.layout(end_.run.state);
     const auto spin = model::motion_of(system_.setting().body[i], at, ConstState(end_.run.state), i).spin;
     const auto slopes = spin_slopes(at, i);
+    const bool moves = is_turned(at, i);
     for (int k = 0; k < model::turns(D); ++k)
       add(name, D == 2 ? std::nullopt : std::optional<Index>(k), "rad/s", spin[k],
-          [&](Index c) { return slopes(k, c); });
+          [&](Index c) { return at_end(slopes(k, c), moves); });
+  }
+  /// The spin of body i changes at the end, beyond rounding.
+  bool is_turned(const BodiesLayout<D>& at, Index i) const {
+    std::vector<model::Sloped> x(end_.run.state.begin(), end_.run.state.end());
+    for (Index row = at.shift(i); row < at.shift(i + 1); ++row) x[row].slope[0] = end_.rate[row];
+    const auto spin =
+        model::motion_of(system_.setting().body[i], at, std::span<const model::Sloped>(x), i).spin;
+    double square = 0, fastest = 0;
+    for (int k = 0; k < model::turns(D); ++k) {
+      square += spin[k].value * spin[k].value;
+      fastest = std::max(fastest, std::abs(spin[k].slope[0]));
+    }
+    return fastest > 1e-9 * square;
   }
   SlopeMatrix spin_slopes(const BodiesLayout<D>& at, Index i) const {
     using model::Sloped;
