@@ -86,7 +86,8 @@ def modes(scene: Scene[Any], *, force: Optional[Numbers] = None) -> Modes:
     Parameters
     ----------
     scene : Chain or Network
-        Walls, gravity or precompression hold a row. It is looked at without dampers.
+        Walls, gravity or precompression hold a row; as for a run, what is at rest needs ``run={"max_time": …}``. It
+        is looked at without dampers.
     force : float
         Presses the ends of a row [N], where nothing else does.
 
