@@ -28,7 +28,6 @@ BOOST_AUTO_TEST_CASE(a_law_alone_is_refused_where_a_model_is_needed) {
   BOOST_TEST(std::holds_alternative<scene::LawAlone>(scene.model));
   BOOST_CHECK_THROW(scene::simulate(scene), scene::SceneError);
   BOOST_CHECK_THROW(report::json(scene), scene::SceneError);
-  BOOST_CHECK_THROW(scene::body_of(scene, "law.toml", "fitted"), scene::SceneError);
 }
 
 BOOST_AUTO_TEST_CASE(texts_are_those_of_the_command_for_every_kind_of_result) {
