@@ -82,8 +82,8 @@ BOOST_AUTO_TEST_CASE(panels_too_short_for_their_times_count_from_their_first_eve
   const auto script = report::on_panels("f", "", axis, report::panels(axis.windows, 130),
                                         [](const report::Panel&) { return "plot 0\n"; });
   BOOST_TEST(has(script, "set xtics ('0' 0.10084, '40' 0.10088)\n"), script);
-  BOOST_TEST(has(script, "set label 't_0 = 0.10084 s' at graph 0.5,"));
-  BOOST_TEST(has(script, "set label 't_0 = 0.20035 s' at graph 0.5,"));
+  BOOST_TEST(has(script, "set label '{/*0.8 0.10084 s}' at graph 0.5,"));
+  BOOST_TEST(has(script, "set label '{/*0.8 0.20035 s}' at graph 0.5,"));
   BOOST_TEST(has(script, "set label 'time t − t_0 [µs]' at screen"));
 }
 

@@ -62,7 +62,7 @@ Ticks ticks(double start, double end, double width, bool has_others) {
 class Numbers {
  public:
   Numbers(const TimeAxis& axis, const std::vector<Panel>& panels)
-      : axis_(axis), has_others_(panels.size() > 1) {
+      : axis_(axis), has_others_(panels.size() > 1), has_symbols_(has_room_for_symbols(panels)) {
     double longest = 0;
     for (const auto& panel : panels) {
       is_relative_ |= has_others_ && !ticks_of(panel).are_two();
@@ -85,6 +85,8 @@ class Numbers {
   }
 
  private:
+  static constexpr double small = 0.8;  // of the usual letters
+
   double shown(double time) const { return axis_.display.factor * time; }
   static double width(const Panel& panel) { return (panel.right - panel.left) * one_column.width; }
   Ticks ticks_of(const Panel& panel) const {
@@ -107,16 +109,25 @@ class Numbers {
     for (double at = step * std::ceil(start / step); at <= last * (1 + 1e-12); at += step)
       list += fmt::format("{}'{}' {:.15g}", list.empty() ? "" : ", ",
                           tick_name(std::abs(at) < 1e-9 * step ? 0 : at), shown(t0 + at / since_.factor));
-    const auto display = display_for(std::vector{t0}, "s");
     return fmt::format(
-        "set xrange [{:.15g}:{:.15g}]\nset xtics ({})\n"
-        "set label 't_0 = {:.6g} {}' at graph 0.5, screen {} center\n",
-        shown(panel.window.start), shown(panel.window.end), list, display.factor * t0, display.unit,
-        name_of_origin);
+        "set xrange [{:.15g}:{:.15g}]\nset xtics ({})\nset label '{}' at graph 0.5, screen {} center\n",
+        shown(panel.window.start), shown(panel.window.end), list, origin_text(t0), name_of_origin);
+  }
+  /// Small, and without its symbol where panels are narrow.
+  std::string origin_text(double t0) const {
+    const auto display = display_for(std::vector{t0}, "s");
+    return fmt::format("{{/*{} {}{:.6g} {}}}", small, has_symbols_ ? "t_0 = " : "", display.factor * t0,
+                       display.unit);
+  }
+  bool has_room_for_symbols(const std::vector<Panel>& panels) const {
+    constexpr std::size_t longest = sizeof("t_0 = 123.456 ms");
+    return std::all_of(panels.begin(), panels.end(), [](const Panel& panel) {
+      return small * letter_width * longest < width(panel) + between;
+    });
   }
 
   const TimeAxis& axis_;
-  bool has_others_, is_relative_ = false;
+  bool has_others_, has_symbols_, is_relative_ = false;
   Display since_{};
 };
 
