@@ -16,6 +16,7 @@ try() {
 }
 
 try version
+try help run
 try demo
 try check "$scenes/triplet.toml"
 try run "$scenes/triplet.toml" --out run
