@@ -62,6 +62,12 @@ BOOST_AUTO_TEST_CASE(balls_that_stand_on_a_wall_need_a_limit) {
   BOOST_TEST(read(until).gap[0] == 0);
   BOOST_TEST(read("velocity = [0, 1]\n").velocity[2] == 1);
   BOOST_CHECK_THROW(impact::simulate(read(until)), InvalidParameter);
+  const model::Chain between{.mass = {infinity, 1, infinity},
+                             .law = {contact::Viscoelastic{1, 1, 1}, contact::Viscoelastic{1, 1, 1}},
+                             .gap = {0, 0},
+                             .velocity = {0, 0, 0},
+                             .gravity = -10};
+  BOOST_TEST(model::comes_to_rest(between));
 }
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_where_it_stands) {

@@ -82,16 +82,14 @@ bool falls_back(const Chain& chain) {
 }
 
 bool comes_to_rest(const Chain& chain) {
-  const auto count_walls = std::count(chain.mass.begin(), chain.mass.end(), infinity);
-  const bool stands = chain.gravity > 0   ? std::isinf(chain.mass.front())
-                      : chain.gravity < 0 ? std::isinf(chain.mass.back())
-                                          : false;
-  return stands && count_walls == 1 &&
-         std::all_of(chain.gap.begin(), chain.gap.end(), [](double gap) { return gap == 0; }) &&
-         std::all_of(chain.velocity.begin(), chain.velocity.end(),
-                     [&](double v) { return v == chain.velocity.front(); }) &&
-         std::all_of(chain.law.begin(), chain.law.end(),
-                     [](const contact::Law& law) { return contact::dissipates(law); });
+  if (chain.gravity == 0) return false;
+  const auto all = [](const auto& list, auto&& holds) {
+    return std::all_of(list.begin(), list.end(), holds);
+  };
+  return std::isinf(chain.gravity > 0 ? chain.mass.front() : chain.mass.back()) &&
+         all(chain.gap, [](double gap) { return gap == 0; }) &&
+         all(chain.velocity, [&](double velocity) { return velocity == chain.velocity.front(); }) &&
+         all(chain.law, [](const contact::Law& law) { return contact::dissipates(law); });
 }
 
 void expect_end(const Chain& chain, double max_time) {

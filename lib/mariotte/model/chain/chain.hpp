@@ -29,7 +29,7 @@ void validate(const Chain& chain);
 /// Whether gravity, towards decreasing position or upwards, pulls some ball back to a wall.
 bool falls_back(const Chain& chain);
 
-/// Whether gravity presses all balls, which touch and do not move, against a wall, and dampers bring them to
+/// Whether gravity presses all balls, which touch and move as one, against walls, and dampers bring them to
 /// rest.
 bool comes_to_rest(const Chain& chain);
 

@@ -180,7 +180,7 @@ void FitModel::resolve_row(Measurement& row) {
   }
 }
 
-std::vector<std::string> FitModel::warnings_of_speeds() {
+std::vector<std::string> FitModel::warnings_of_speeds() try {
   const auto& settings = measurements_.settings;
   const auto one = std::ranges::find_if(settings, [](const Setting& each) { return is_speed(each.key); });
   if (one == settings.end()) return {};
@@ -194,6 +194,8 @@ std::vector<std::string> FitModel::warnings_of_speeds() {
   const auto slowest = scene_at(values, start_);
   values[place] = fast->values[place];
   return warn_of_constant_restitution(document_, slowest, scene_at(values, start_));
+} catch (const Error&) {  // no row has both
+  return {};
 }
 
 Prediction FitModel::of_row(std::size_t row, std::span<const double> values) try {

@@ -79,8 +79,8 @@ class GroupSlopes {
 
   double slope(Index row, Index c) const { return end_.slopes(row, c) + end_.rate[row] * end_.time[c]; }
   /// None of what moves on where the end of the run has none.
-  std::optional<double> at_end(double slope, bool moves) const {
-    return end_.time_is_noise && moves ? std::nullopt : std::optional(slope);
+  static std::optional<double> at_end(double slope, bool moves_on) {
+    return moves_on ? std::nullopt : std::optional(slope);
   }
 
   template <class Slope>
@@ -95,7 +95,8 @@ class GroupSlopes {
       const auto name = "bodies[" + std::to_string(i) + "].";
       for (Index k = 0; k < D; ++k)
         add(name + "velocity", k, "m/s", end_.run.state[at.velocity(i) + k], [&](Index c) {
-          return at_end(slope(at.velocity(i) + k, c), end_.rate[at.velocity(i) + k] != 0);
+          return at_end(slope(at.velocity(i) + k, c),
+                        end_.time_is_noise && end_.rate[at.velocity(i) + k] != 0);
         });
       add_spin(name + "spin", i);
     }
@@ -106,10 +107,10 @@ class GroupSlopes {
     const auto at = system_.layout(end_.run.state);
     const auto spin = model::motion_of(system_.setting().body[i], at, ConstState(end_.run.state), i).spin;
     const auto slopes = spin_slopes(at, i);
-    const bool moves = is_turned(at, i);
+    const bool moves_on = end_.time_is_noise && is_turned(at, i);
     for (int k = 0; k < model::turns(D); ++k)
       add(name, D == 2 ? std::nullopt : std::optional<Index>(k), "rad/s", spin[k],
-          [&](Index c) { return at_end(slopes(k, c), moves); });
+          [&](Index c) { return at_end(slopes(k, c), moves_on); });
   }
   /// The spin of body i changes at the end, beyond rounding.
   bool is_turned(const BodiesLayout<D>& at, Index i) const {
