@@ -181,7 +181,7 @@ BOOST_FIXTURE_TEST_CASE(a_long_run_says_how_far_it_is, Session) {
         "[chain]\nmass = 1\nballs = 1\nwall = 'left'\ngap = 0.1\ngravity = 9.81\nlaw = 'hertz'\n"
         "stiffness = 1e9\n[run]\nmax_time = 1e9\nmax_events = 1_000_000_000\n");
   const auto run = shell(
-      "timeout -s KILL 300 \"$mariotte\" run bounces.toml >told.out 2>told.txt & for i in $(seq 3000); do "
+      "\"$mariotte\" run bounces.toml >told.out 2>told.txt & for i in $(seq 3000); do "
       "grep -q ' events$' told.txt && break; sleep 0.1; done; kill -9 $!; cat told.txt >&2");
   BOOST_TEST(has(run.err, "mariotte: at "));
   BOOST_TEST(has(run.err, " events\n"));
