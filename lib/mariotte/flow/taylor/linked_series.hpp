@@ -1,14 +1,15 @@
-// The expansion of contacts linked in any way, in many blocks of registers.
+// The expansion of contacts linked in any way, or of long rows, in many blocks of registers.
 #pragma once
 #include <vector>
 
+#include "mariotte/flow/taylor/row_pushes.hpp"
 #include "mariotte/flow/taylor/taylor_block.hpp"
 
 namespace mariotte::flow::taylor::MARIOTTE_INSTRUCTION_SET {
 
 /// Order by order every block in which a contact pushes finds the forces of its contacts, then these
-/// accelerate all of these contacts. When all orders are known, blocks in which none pushes follow one after
-/// the other.
+/// accelerate all of these contacts. Where they are linked in any way, blocks in which none pushes follow one
+/// after the other when all orders are known.
 class LinkedSeries final : public Expansion {
  public:
   Outlook activate(Lanes& lanes, double near, bool onsets) const override {
@@ -28,16 +29,17 @@ class LinkedSeries final : public Expansion {
       block.start(lanes, order, clock, pace_start(lanes, clock));
       block.with_series([&](auto& series) { block.begin(series); });
     }
-    find_pushes();
+    if (lanes.linked) find_pushes();
     accelerate(0);
     for (int k = 1; k < order; ++k) {
       for (auto& block : blocks_)
-        if (!block.is_still()) block.with_series([&](auto& series) { series.stage(k); });
+        if (is_along(block)) block.with_series([&](auto& series) { series.stage(k); });
       accelerate(k);
     }
+    if (!lanes.linked) return;
     list_impulses();
     for (std::size_t i = 0; i < blocks_.size(); ++i)
-      if (blocks_[i].is_still()) follow(i);
+      if (!is_along(blocks_[i])) follow(i);
   }
   void sizes(int first, double* size) const override {
     for (int k = first; k <= order_; ++k) {
@@ -73,10 +75,15 @@ class LinkedSeries final : public Expansion {
     const int needed = (lanes_->count + at_once - 1) / at_once;
     blocks_.resize(needed);
     for (int i = 0; i < needed; ++i) blocks_[i].move_to(i * at_once);
-    push_.resize(needed);
-    bend_.assign(needed, LaneVector<parts>(0.0));  // idle lanes rest
-    impulses_.resize(needed * at_once);
+    is_driven_ = lanes_->bend;
+    for (int j = 0; j < lanes_->count; ++j) is_driven_ |= lanes_->drive[j] != 0;
+    row_.resize(lanes_->linked ? 0 : needed);
+    push_.resize(lanes_->linked ? needed : 0);
+    bend_.resize(needed);
+    impulses_.resize(lanes_->linked ? needed * at_once : 0);
   }
+  /// Expanded order by order beside the others.
+  bool is_along(const Part& block) const { return !lanes_->linked || !block.is_still(); }
 
   /// Of what lanes do to each other only that of contacts which push. Each takes the place of one before that
   /// does not: to ask would cost more.
@@ -105,20 +112,38 @@ class LinkedSeries final : public Expansion {
 
   /// δ̇ and the clock, order k + 1, from the forces of order k.
   void accelerate(int k) {
-    for (std::size_t i = 0; i < blocks_.size(); ++i)
-      if (!blocks_[i].is_still()) push_[i] = blocks_[i].coefficient(RowQuantities::impulse, k + 1);
-    const auto* impulse = reinterpret_cast<const double*>(push_.data());
-    auto* bend = reinterpret_cast<double*>(bend_.data());
+    lanes_->linked ? bend_linked(k) : bend_row(k);
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      if (blocks_[i].is_still()) continue;
-      for (int j = static_cast<int>(i) * at_once; j < end_of(i); ++j)
-        bend[j] = bend_from_outside(k, j) + bend_by(j, impulse);
+      if (!is_along(blocks_[i])) continue;
       blocks_[i].coefficient(RowQuantities::rate, k + 1) = bend_[i];
       if (clock_ != plain) set_clock(blocks_[i], k + 1, series::reciprocal.of[k + 1] * growth_of_owner(k));
     }
   }
+  void bend_row(int k) {
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      row_.set(i, *lanes_, blocks_[i].is_still() ? LaneVector<parts>(0.0) : impulse(i, k + 1));
+    for (std::size_t i = 0; i < blocks_.size(); ++i) bend_[i] = row_.bend(i, *lanes_);
+    add_from_outside(k);
+  }
+  void bend_linked(int k) {
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      if (is_along(blocks_[i])) push_[i] = impulse(i, k + 1), bend_[i] = LaneVector<parts>(0.0);
+    const auto* impulse = reinterpret_cast<const double*>(push_.data());
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+      for (int j = static_cast<int>(i) * at_once; is_along(blocks_[i]) && j < end_of(i); ++j)
+        of_lane(bend_[i], j % at_once) = bend_by(j, impulse);
+    add_from_outside(k);
+  }
+  const LaneVector<parts>& impulse(std::size_t i, int k) {
+    return blocks_[i].coefficient(RowQuantities::impulse, k);
+  }
+  void add_from_outside(int k) {
+    if (!is_driven_ || (!lanes_->bend && clock_of(k) == 0)) return;
+    for (int j = 0; j < lanes_->count; ++j)
+      of_lane(bend_[j / at_once], j % at_once) += bend_from_outside(k, j);
+  }
   double bend_from_outside(int k, int lane) const {
-    if (!lanes_->bend && lanes_->drive[lane] == 0) return 0;
+    if (!is_driven_) return 0;
     const double more = lanes_->bend ? lanes_->bend[k * lanes_->count + lane] : 0;
     return series::reciprocal.of[k + 1] * (clock_of(k) * lanes_->drive[lane] + more);
   }
@@ -190,10 +215,12 @@ class LinkedSeries final : public Expansion {
 
   const Lanes* lanes_ = nullptr;
   int order_ = 0, clock_ = plain;
+  bool is_driven_ = false;  ///< some lane is accelerated from outside
   std::vector<Part> blocks_;
   std::vector<char> pushing_;                   ///< lanes
   std::vector<Push> pushes_;                    ///< on one lane after the other
   std::vector<int> first_push_;                 ///< on each lane
+  RowPushes<parts> row_;                        ///< of a row
   std::vector<LaneVector<parts>> push_, bend_;  ///< order k + 1 of impulses and of δ̇
   std::vector<Orders> impulses_;                ///< of each lane that pushes
 };

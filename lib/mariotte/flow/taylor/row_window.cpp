@@ -41,23 +41,6 @@ void fill(Window& w, int lane) {
   fill(w, lane, rate(phase, w.x, j));
 }
 
-/// Rows with more contacts than a row of lanes holds, or with forces that are no powers, are expanded as
-/// contacts linked in any way.
-void couple_row(Window& w) {
-  auto& l = w.lanes;
-  l.linked = false;
-  w.coupling.clear();
-  for (int j = 0; j < l.count; ++j) {
-    for_each_felt(l, j, [&](int other, double weight) { w.coupling.add(other, weight); });
-    w.coupling.end_row();
-  }
-  for (int j = 0; j < l.count; ++j) {
-    l.left[j] += l.right[j];
-    l.right[j] = 0;
-  }
-  link(w, w.coupling);
-}
-
 /// A contact that touches and is not deep enough to push its neighbours.
 bool dozes(const SerialPhase& phase, ConstState x, Index j) {
   const auto& c = phase.contact[j];
@@ -116,7 +99,6 @@ void place(Window& w, const SerialPhase& phase, State x, double time) {
   for (int body = 0; body <= w.lanes.count; ++body) w.velocity[body] = x[phase.body[from + body].velocity];
   find_outside(w);
   w.lanes.linked = false;
-  if (w.lanes.count > row_limit() || w.lanes.widened || w.lanes.segmented || w.drives) couple_row(w);
   settle(w);
 }
 
@@ -129,7 +111,7 @@ bool has_outgrown_row(const Window& w) {
 }
 
 bool has_shrunk(const Window& w) {
-  if (!w.row || w.lanes.linked) return false;
+  if (!w.row || w.lanes.count > most_row_limit || is_in_blocks(w.lanes)) return false;
   const auto is_open = [](const PhaseContact* c) { return c->role == Role::open; };
   const auto busy = std::find_if_not(w.contacts.begin(), w.contacts.end(), is_open);
   const auto needed = 1 + static_cast<int>(w.contacts.end() - busy);  // one beside them

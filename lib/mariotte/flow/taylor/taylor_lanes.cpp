@@ -66,7 +66,7 @@ void Values::resize(int lanes) {
 }
 
 std::size_t size_for(const Lanes& lanes) {
-  if (lanes.linked) return lane_sizes.size();
+  if (is_in_blocks(lanes)) return lane_sizes.size();
   return std::lower_bound(lane_sizes.begin(), lane_sizes.end(), lanes.count) - lane_sizes.begin();
 }
 

@@ -15,7 +15,7 @@ inline constexpr int order_limit = 20;
 using Coefficients = std::array<double, order_limit + 1>;
 /// An expansion of rows is compiled for each of these numbers of lanes.
 inline constexpr std::array lane_sizes = {4, 8, 12, 16, 32};
-/// Longer rows are expanded as networks are.
+/// Longer rows are expanded in blocks, as networks are.
 inline constexpr int most_row_limit = lane_sizes.back();
 /// Of x86 processors without AVX2, which are old: fewer sizes take less time to compile.
 #ifdef __x86_64__
@@ -28,11 +28,6 @@ consteval std::size_t sizes_up_to(int limit) {
   for (const int size : lane_sizes) count += size <= limit;
   return count;
 }
-/// On this machine.
-inline int row_limit() {
-  return flow::has_avx2() ? most_row_limit : baseline_row_limit;
-}
-
 /// The rows of a Coupling, by lane.
 struct Links {
   const int* first = nullptr;
@@ -60,8 +55,8 @@ class Lanes {
   bool widened = false;    ///< the forces are those of `branch`, not powers
   bool segmented = false;  ///< the forces are those of `segment`, not powers
   Links links;
-  const double* bend = nullptr;  ///< more of δ̈ than `drive`, if any: by order, of all linked lanes
-  const WidthBranch* const* branch = nullptr;    ///< of each lane, if widened; null of one without force
+  const double* bend = nullptr;                ///< more of δ̈ than `drive`, if any: by order, of all lanes
+  const WidthBranch* const* branch = nullptr;  ///< of each lane, if widened; null of one without force
   const CubicSegment* const* segment = nullptr;  ///< of each lane, if segmented; null of one without force
   double* indentation;                           ///< δ; negative where open
   double* rate;                                  ///< δ̇
@@ -149,8 +144,13 @@ class Expansion {
   virtual void coefficients(Quantity quantity, int lane, double* c) const = 0;
 };
 
-/// The number in lane_sizes that has room for a row of `lanes`; lane_sizes.size() for linked lanes and longer
-/// rows.
+/// Lanes that are linked, driven, or whose forces are no powers are expanded in blocks, as long rows are.
+inline bool is_in_blocks(const Lanes& lanes) {
+  return lanes.linked || lanes.bend || lanes.widened || lanes.segmented;
+}
+
+/// The number in lane_sizes that has room for a row of `lanes`; lane_sizes.size() for those in blocks and for
+/// longer rows.
 std::size_t size_for(const Lanes& lanes);
 
 /// For lane_sizes[size] lanes of a row, up to the row limit, or for any number of linked lanes, with the

@@ -39,7 +39,7 @@ struct Window {
   double time = 0;
   Index first = 0;  ///< contact of lane 0
   Lanes lanes;
-  Coupling coupling;                  ///< of a long row, or of a part of a network
+  Coupling coupling;                  ///< of a part of a network
   std::vector<char> at_edge;          ///< of a network: lanes that push on bodies outside
   std::vector<int> lane_of, found;    ///< of a network: of each contact, or −1; those inside
   std::vector<double> velocity;       ///< of bodies first, first + 1, … of a row, of all dofs of a network
