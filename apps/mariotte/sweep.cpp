@@ -100,6 +100,11 @@ std::string outcome(Index failed, Index limited) {
   return limited == 0 ? text : fmt::format("{}, {} ended at a limit", text, limited);
 }
 
+void warn(const study::SweepPlan& plan, Index doubtful) {
+  for (const auto& one : report::warnings(plan)) warning(one);
+  if (doubtful > 0) warning(report::less_exact(doubtful));
+}
+
 int finish(const SweepOptions& options, const study::SweepPlan& plan, study::Journal& journal) {
   const auto written = write(options.files, plan, description(options, plan, journal), journal);
   if (!written.shortfall.empty() && !options.scene.quiet) warning(written.shortfall);
@@ -107,8 +112,7 @@ int finish(const SweepOptions& options, const study::SweepPlan& plan, study::Jou
   print(fmt::format("{}, {}: {}\n", counted(points, "point"), outcome(failed, written.limited),
                     (options.files.folder / "sweep.csv").string()));
   if (written.statistics) print(table(*written.statistics));
-  if (!options.scene.quiet)
-    for (const auto& one : report::warnings(plan)) warning(one);
+  if (!options.scene.quiet) warn(plan, written.doubtful);
   return failed < points ? ExitCode::ok : ExitCode::solver_failed;
 }
 

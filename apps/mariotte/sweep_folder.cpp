@@ -56,6 +56,7 @@ Written write_tables(const SweepFiles& files, const study::SweepPlan& plan, repo
     if (table) table->add(rows);
     if (statistics) statistics->add(rows);
     written.limited += report::count_limited(rows);
+    written.doubtful += report::count_doubtful(rows);
   });
   drawn.commit();
   if (table) table->commit();

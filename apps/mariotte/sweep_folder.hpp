@@ -27,6 +27,7 @@ void prepare(const SweepFiles& files, const study::SweepPlan& plan, bool force);
 struct Written {
   std::optional<report::ColumnStatistics> statistics = {};  ///< of a random design
   Index limited = 0;                                        ///< points that ended at a limit
+  Index doubtful = 0;                                       ///< points less exact than was asked
   std::string shortfall = {};                               ///< which figures are missing and why, if any are
 };
 

@@ -54,13 +54,14 @@ struct Chains {
 };
 
 struct Results {
-  std::vector<double> velocity, impulse, time;
+  std::vector<double> velocity, impulse, time, estimate;
   std::vector<std::uint8_t> ending;
 
   Results(Index rows, Index balls)
       : velocity(static_cast<std::size_t>(rows * balls)),
         impulse(static_cast<std::size_t>(rows * (balls - 1))),
         time(static_cast<std::size_t>(rows)),
+        estimate(static_cast<std::size_t>(rows)),
         ending(static_cast<std::size_t>(rows)) {}
 
   /// Numbers of a run that could not go on mean nothing.
@@ -76,6 +77,8 @@ struct Results {
     put(impact.velocity, velocity);
     put(impact.impulse, impulse);
     time[static_cast<std::size_t>(row)] = impact.time;
+    estimate[static_cast<std::size_t>(row)] =
+        factor * impact.estimated_accuracy.value_or(std::numeric_limits<double>::quiet_NaN());
     ending[static_cast<std::size_t>(row)] = static_cast<std::uint8_t>(impact.ending);
   }
 };
@@ -207,7 +210,8 @@ py::tuple solve(Index rows, const Numbers& mass, const Numbers& stiffness, const
   }
   return py::make_tuple(owned(std::move(results.velocity), {rows, balls}),
                         owned(std::move(results.impulse), {rows, balls - 1}),
-                        owned(std::move(results.time), {rows}), owned(std::move(results.ending), {rows}));
+                        owned(std::move(results.time), {rows}), owned(std::move(results.ending), {rows}),
+                        owned(std::move(results.estimate), {rows}));
 }
 
 }  // namespace

@@ -3,17 +3,20 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruption.hpp"
+#include "mariotte/impact/doubt.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/report/figure/sweep_axes.hpp"
 #include "mariotte/report/figure/value_axis.hpp"
 #include "mariotte/report/page/files.hpp"
 #include "mariotte/report/sweep_file.hpp"
+#include "mariotte/report/sweep_warnings.hpp"
 #include "mariotte/scene/key_path.hpp"
 #include "mariotte/study/sweep/sweep_reader.hpp"
 #include "scene_box.hpp"
@@ -70,6 +73,15 @@ class Sweep {
     reasons_ = std::move(reasons);
   }
 
+  /// That of the scene, and that points are less exact than was asked.
+  std::vector<std::string> warnings() const {
+    auto list = plan_.warnings;
+    const auto doubtful = std::ranges::count_if(
+        reasons_, [](const auto& reason) { return impact::tells_doubt(reason.second); });
+    if (doubtful > 0) list.push_back(report::less_exact(doubtful));
+    return list;
+  }
+
   /// The rows, as the command writes them, some thousand at a time.
   void write(const std::function<void(const std::string&)>& take) const {
     constexpr Index most = 4096;
@@ -85,11 +97,11 @@ class Sweep {
     const auto columns = std::ssize(plan_.columns);
     std::copy(batch.numbers.begin(), batch.numbers.end(), table_.begin() + batch.first * columns);
     for (Index k = 0; k < batch.count(); ++k) {
-      const auto& [ending, reason] = batch.verdicts[static_cast<std::size_t>(k)];
-      ending_[static_cast<std::size_t>(batch.first + k)] = number_of(ending);
-      if (reason.empty()) continue;
+      const auto& verdict = batch.verdicts[static_cast<std::size_t>(k)];
+      ending_[static_cast<std::size_t>(batch.first + k)] = number_of(verdict.ending);
+      if (verdict.reason.empty()) continue;
       const std::lock_guard lock(mutex_);
-      reasons_[batch.first + k] = reason;
+      reasons_[batch.first + k] = verdict.reason;
     }
   }
 
@@ -244,7 +256,7 @@ void add_sweep(py::module_& module) {
       .def_property_readonly("shape", &shape)
       .def_property_readonly("columns", &columns)
       .def_property_readonly("parameters", &parameters)
-      .def_property_readonly("warnings", [](const Sweep& one) { return one.plan().warnings; })
+      .def_property_readonly("warnings", &Sweep::warnings)
       .def_property_readonly("reasons", &Sweep::reasons)
       .def_property_readonly("table",
                              [](const py::object& self) {

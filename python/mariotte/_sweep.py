@@ -75,13 +75,13 @@ class Sweep(Mapping[str, Array]):
 
     @property
     def reasons(self) -> Dict[int, str]:
-        """Why points have no numbers or ended at a limit, by the row of the table."""
+        """Why points have no numbers, ended at a limit, or are less exact than was asked, by the row of the table."""
         return self._run.reasons
 
     @property
     def warnings(self) -> List[str]:
-        """What has to be said of the scene; :func:`sweep` warns of each. Points have columns instead, such as
-        ``validity.yield_ratio``."""
+        """What has to be said of the scene, and whether points are less exact than was asked; :func:`sweep` warns of
+        each. Limits of laws are columns, such as ``validity.yield_ratio``."""
         return [in_python(text) for text in self._run.warnings]
 
     def __getitem__(self, column: str) -> Array:
@@ -224,6 +224,9 @@ class Solved(NamedTuple):
     impulse: Array  #: of each contact, of shape (N, n − 1) [N s]
     time: Array  #: of the ending, of shape (N,) [s]
     ending: Endings  #: numbers of :class:`mariotte.Ending`, of shape (N,)
+    #: upper bound on the error of the velocities relative to the largest incident speed, of shape (N,); nan where none
+    #: was estimated, infinite where nothing bounds it
+    estimated_accuracy: Array
 
     @property
     def icr(self) -> Array:
@@ -285,7 +288,12 @@ def solve(mass: Numbers, stiffness: Numbers, velocity: Numbers, *, gap: Numbers 
     m, v = (_spread(name, one, rows, balls) for name, one in of_balls.items())
     k, g, c = (_spread(name, one, rows, balls - 1) for name, one in of_contacts.items())
     n = None if exponent is None else number(exponent, "exponent")
-    return Solved(*_core.solve(rows, m, k, v, g, c, law, n, number(accuracy, "accuracy"), _workers(threads)))
+    asked = number(accuracy, "accuracy")
+    made = Solved(*_core.solve(rows, m, k, v, g, c, law, n, asked, _workers(threads)))
+    doubtful = int(np.sum(made.estimated_accuracy > asked))
+    if doubtful:
+        warn([f"velocities of {counted(doubtful, 'chain')} may be less exact than was asked: see estimated_accuracy"])
+    return made
 
 
 def _count(lengths: Iterable[int]) -> int:

@@ -81,15 +81,15 @@ inline double growth(const Passage& passage) {
 
 /// True if errors may have grown: contacts, or one of them, have closed so often that what one does wrong is
 /// magnified by the next, or the errors of many steps have added up, or a long flight has moved what pushes
-/// together then, or some came together very slowly at first, or what adheres has let go slowly. After very
-/// many periods rounding alone decides the end, and each run takes minutes.
+/// together then, or some came together very slowly at first, or what adheres has let go slowly.
 inline bool may_have_erred(const Passage& passage) {
-  constexpr Index most = 100'000;
-  return (passage.periods > passage.harmless || passage.most > rattles || passage.starts_slowly ||
-          passage.steps > 60 + 10 * passage.contacts || passage.flight > long_flight ||
-          passage.slowing >= much_slower) &&
-         passage.periods <= most;
+  return passage.periods > passage.harmless || passage.most > rattles || passage.starts_slowly ||
+         passage.steps > 60 + 10 * passage.contacts || passage.flight > long_flight ||
+         passage.slowing >= much_slower;
 }
+
+/// Periods after which rounding alone decides the end, and each run takes minutes: it is not run again.
+inline constexpr Index most_periods_run_again = 100'000;
 
 /// True if runs that differ in accuracy may agree although rounding has moved both: most of what they did is
 /// exact but for rounding, or the looser of them was nearly so.

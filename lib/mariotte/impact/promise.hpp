@@ -10,9 +10,11 @@
 //     difference of the velocities ≤ a quarter of what was asked?  → the tighter run, the difference is the
 //                                                                     estimate
 //     a cannot get tighter?                                        → the same
-//   they did not agree, or what they did may hide rounding?
+//   they did not agree, or a tighter one came to no end, or what they did may hide rounding?
 //     near the last accuracy, run with masses and gaps that are moved by rounding errors: the largest
 //     difference is the estimate
+//   there were too many periods to run again, or none of these runs came to an end: nothing bounds the error,
+//   the estimate is infinite
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -77,6 +79,11 @@ inline double slowed_rounding(const Passage& gone) {
   return gone.slowing >= hardly ? 4 * epsilon * static_cast<double>(gone.steps) * gone.slowing : 0;
 }
 
+/// The numbers of a run that ended so are no result, and have no error to estimate.
+inline bool is_no_result(hybrid::Ending ending) {
+  return ending == hybrid::Ending::failed || ending == hybrid::Ending::unsure;
+}
+
 /// Share of the accuracy within which two runs have to agree. Where a ball rattles, runs that are both wrong
 /// by far more than the accuracy may differ by less: a tighter one shows it.
 inline constexpr double agreement = 0.25;
@@ -84,11 +91,10 @@ inline constexpr double agreement = 0.25;
 /// Run tighter until two runs agree within a share of the accuracy that is `asked` for: `run(options)` runs
 /// and returns by how much its velocities differ from those of the run before, or nothing if it may not
 /// replace it. Where that is no measure of the last run, `shake(options)` runs near its accuracy, with inputs
-/// moved by rounding errors, and says what that makes of the velocities. Returns the estimate of the error;
-/// empty if the first tighter run has failed.
+/// moved by rounding errors, and says what that makes of the velocities. Returns the estimate of the error.
 template <class Run, class Shake>
-std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run,
-                                   Shake&& shake) {
+double keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run, Shake&& shake) {
+  if (gone.periods > most_periods_run_again) return infinity;
   const double summed_rounding = epsilon * static_cast<double>(gone.steps);
   const double feared = asked.accuracy * growth(gone);
   std::optional<double> last;
@@ -99,15 +105,19 @@ std::optional<double> keep_promise(const hybrid::Options& asked, const Passage& 
     if (!accuracy) break;
     looser = std::exchange(now.accuracy, *accuracy);
     const std::optional<double> apart = run(now);
-    if (!apart) return last;
+    if (!apart) {
+      now.accuracy = looser;
+      break;
+    }
     if (*apart == 0) break;  // the same to the last bit: the flow has no more to give
     last = *apart + summed_rounding;
   }
   const bool agreed = last && *last <= asked.accuracy;
-  if (agreed && !hides_rounding(gone, looser)) return last;
+  if (agreed && !hides_rounding(gone, looser)) return *last;
   now.accuracy *= 4;  // so that what the accuracy cuts off shows as well
   const std::optional<double> shaken = shake(now);
-  return shaken ? std::max({*shaken, agreed ? *last : 0, slowed_rounding(gone)}) : last;
+  if (!shaken) return last.value_or(infinity);
+  return std::max({*shaken, agreed ? *last : 0, slowed_rounding(gone)});
 }
 
 /// Steps of CVODE add up errors in which two runs may agree: the estimate is no less where they are more than
@@ -167,7 +177,8 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
     impact = std::move(tighter);
     return difference;
   };
-  const auto shake = [&](const hybrid::Options& options) {
+  const auto shake = [&](const hybrid::Options& options) -> std::optional<double> {
+    if (is_no_result(impact.ending)) return std::nullopt;
     return most_shaken([&](unsigned which) -> std::optional<double> {
       const auto other = again(shaken(model, which), options);
       return end_alike(other.ending, impact.ending) ? std::optional(apart(impact, other)) : std::nullopt;
@@ -192,7 +203,8 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
     std::swap(impact, looser);
     return std::nullopt;
   };
-  const auto shake = [&](const hybrid::Options& options) {
+  const auto shake = [&](const hybrid::Options& options) -> std::optional<double> {
+    if (is_no_result(impact.ending)) return std::nullopt;
     return most_shaken([&](unsigned which) -> std::optional<double> {
       looser = impact;
       solve(shaken(model, which), options);
@@ -200,8 +212,8 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
       return end_alike(looser.ending, impact.ending) ? std::optional(apart(impact, looser)) : std::nullopt;
     });
   };
-  const auto estimate = keep_promise(asked, gone, run, shake);
-  impact.estimated_accuracy = estimate;
+  const double estimate = keep_promise(asked, gone, run, shake);
+  impact.estimated_accuracy = estimate;  // once `impact` is the run that stays
   add_floor(gone, asked.accuracy, impact);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mariotte/core/counted.hpp"
 #include "mariotte/report/limit_count.hpp"
 #include "mariotte/study/sweep/variation.hpp"
 
@@ -47,6 +48,11 @@ std::vector<std::string> warnings(const study::SweepPlan& plan) {
   for (auto& one : found.limits.sentences(points.size(), "points", "--column"))
     list.push_back(std::move(one));
   return list;
+}
+
+std::string less_exact(Index points) {
+  return fmt::format("velocities of {} may be less exact than was asked, as the reason of each says",
+                     counted(points, "point"));
 }
 
 }  // namespace mariotte::report

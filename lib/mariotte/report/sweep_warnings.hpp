@@ -13,4 +13,7 @@ namespace mariotte::report {
 /// again, as a whole.
 std::vector<std::string> warnings(const study::SweepPlan& plan);
 
+/// That velocities of so many points are less exact than was asked.
+std::string less_exact(Index points);
+
 }  // namespace mariotte::report

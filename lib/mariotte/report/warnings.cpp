@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "mariotte/impact/doubt.hpp"
 #include "mariotte/impact/passage.hpp"
 
 namespace mariotte::report {
@@ -18,6 +20,9 @@ constexpr const char* close_often = "contacts close so often that errors grow";
 constexpr const char* fly_long = "contacts push together after a flight so long that errors grow";
 constexpr const char* let_go_slowly = "what adheres lets go so slowly that errors grow";
 constexpr const char* add_up = "the errors of all steps, and rounding, add up";
+constexpr const char* not_repeated =
+    "contacts closed more than 100 000 times, and runs that long are not repeated";
+constexpr const char* no_end = "the runs that were to tell came to no end";
 constexpr const char* lose_digits =
     "indentations are so small beside the way to the first contact that digits are lost";
 
@@ -48,12 +53,22 @@ const char* growth(const impact::MicrobodyImpact& impact) {
   return std::ssize(impact.impacts) > impact::single_impact ? close_often : add_up;
 }
 
+/// Why nothing bounds the error.
+const char* no_bound(const impact::MicrobodyImpact&) {
+  return no_end;
+}
+const char* no_bound(const auto& impact) {
+  Index periods = 0;
+  for (const auto& contact : impact.contacts) periods += std::ssize(contact.periods);
+  return periods > impact::most_periods_run_again ? not_repeated : no_end;
+}
+
 template <class Impact>
 void warn_of_error(const Impact& impact, List& list) {
-  if (impact.estimated_accuracy && *impact.estimated_accuracy > impact.requested_accuracy)
-    list.push_back(
-        fmt::format("velocities may be wrong by {:.1e} of the largest speed, where {:g} was asked: {}",
-                    *impact.estimated_accuracy, impact.requested_accuracy, growth(impact)));
+  const auto text = impact::doubt(impact.estimated_accuracy, impact.requested_accuracy);
+  if (text.empty()) return;
+  const bool is_bounded = std::isfinite(*impact.estimated_accuracy);
+  list.push_back(fmt::format("{}: {}", text, is_bounded ? growth(impact) : no_bound(impact)));
 }
 
 template <class Impact>

@@ -5,6 +5,7 @@
 
 #include "mariotte/hybrid/ending.hpp"
 #include "mariotte/hybrid/reached_limit.hpp"
+#include "mariotte/impact/doubt.hpp"
 #include "mariotte/report/csv/csv_cell.hpp"
 #include "mariotte/report/csv/sweep_csv.hpp"
 #include "mariotte/study/sweep/evaluate.hpp"
@@ -48,6 +49,13 @@ class Reader {
   Index failed_ = 0;
 };
 
+Index count_lines(std::string_view rows, bool (*tells)(std::string_view)) {
+  Index count = 0;
+  for (; !rows.empty(); rows.remove_prefix(rows.find('\n') + 1))
+    count += tells(rows.substr(0, rows.find('\n')));
+  return count;
+}
+
 }  // namespace
 
 bool are_rows_of(const study::Design& design, std::size_t columns, const study::Rows& rows) {
@@ -62,10 +70,11 @@ bool are_rows_of(const study::Design& design, std::size_t columns, const study::
 }
 
 Index count_limited(std::string_view rows) {
-  Index count = 0;
-  for (; !rows.empty(); rows.remove_prefix(rows.find('\n') + 1))
-    count += hybrid::tells_limit(rows.substr(0, rows.find('\n')));
-  return count;
+  return count_lines(rows, hybrid::tells_limit);
+}
+
+Index count_doubtful(std::string_view rows) {
+  return count_lines(rows, impact::tells_doubt);
 }
 
 }  // namespace mariotte::report

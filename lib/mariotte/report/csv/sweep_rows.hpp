@@ -13,7 +13,9 @@ namespace mariotte::report {
 /// has written.
 bool are_rows_of(const study::Design& design, std::size_t columns, const study::Rows& rows);
 
-/// How many of these lines, with their line breaks, tell of a limit that ended their run.
+/// How many of these lines, with their line breaks, tell of a limit that ended their run, or that velocities
+/// are less exact than was asked.
 Index count_limited(std::string_view rows);
+Index count_doubtful(std::string_view rows);
 
 }  // namespace mariotte::report

@@ -40,6 +40,10 @@ std::string energy(const Impact& impact) {
 
 }  // namespace
 
+std::string estimate(const std::optional<double>& accuracy) {
+  return accuracy && std::isfinite(*accuracy) ? fmt::format(", {:.1e} estimated", *accuracy) : "";
+}
+
 std::string residual_line(const Display& display, double residual, double scale) {
   const std::string note = scale > 0 ? fmt::format("(relative {:.1e})", std::abs(residual) / scale) : "";
   return line("residual", fmt::format("{:.2e}", display.factor * residual), note);

@@ -23,7 +23,7 @@ using model::BodyEvent;
 std::string summary(const impact::BodiesImpact& impact, const scene::Scene& scene, const Display& time) {
   std::string text = fmt::format("{} at {} {} · accuracy {:.3g} requested", ending_name(impact.ending, scene),
                                  shown(time, impact.time), time.unit, impact.requested_accuracy);
-  if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
+  text += estimate(impact.estimated_accuracy);
   if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) text += "\n" + why;
   return text + "\n";
 }

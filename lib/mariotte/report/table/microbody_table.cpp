@@ -24,7 +24,7 @@ std::string summary(const impact::MicrobodyImpact& impact, const scene::Scene& s
       fmt::format("{} at {} {} · {} impact{} · accuracy {:.3g} requested", ending_name(impact.ending, scene),
                   shown(time, impact.final.time), time.unit, impact.impacts.size(),
                   impact.impacts.size() == 1 ? "" : "s", impact.requested_accuracy);
-  if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
+  text += estimate(impact.estimated_accuracy);
   if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) text += "\n" + why;
   if (impact.rest)
     text += fmt::format("\ntip {} stays in the well of adhesion; it would rest {:.4g} nm deep",

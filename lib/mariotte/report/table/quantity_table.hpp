@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,9 @@ struct BalanceLine {
   std::string_view key;
   bool unless_zero = false;
 };
+
+/// ", 1.4e-12 estimated", of the error of a result; empty where there is none, or nothing bounds it.
+std::string estimate(const std::optional<double>& accuracy);
 
 /// The residual of a balance in the unit of its table, and as a share of `scale` unless that is 0.
 std::string residual_line(const Display& display, double residual, double scale);

@@ -27,7 +27,7 @@ std::string summary(const impact::ContactImpact& impact, const std::string& size
   std::string text =
       fmt::format("{} at {} {} · {} · accuracy {:.3g} requested", ending_name(impact.ending, scene),
                   shown(time, impact.time), time.unit, size, impact.requested_accuracy);
-  if (impact.estimated_accuracy) text += fmt::format(", {:.1e} estimated", *impact.estimated_accuracy);
+  text += estimate(impact.estimated_accuracy);
   if (const auto why = reason(impact.ending, impact.message, scene); !why.empty()) text += "\n" + why;
   const auto* chain = std::get_if<model::Chain>(&scene.model);
   if (impact.ending == hybrid::Ending::separated && chain && falls_back(*chain))

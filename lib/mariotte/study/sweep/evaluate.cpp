@@ -18,7 +18,7 @@ namespace {
 
 template <class Impact>
 Verdict verdict(const Impact& impact) {
-  Verdict made{.ending = name(impact.ending)};
+  Verdict made{.ending = name(impact.ending), .estimated_accuracy = impact.estimated_accuracy};
   if (!made.has_numbers())
     made.reason = impact.message.empty() ? "the solver could not go on" : impact.message;
   return made;

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,7 +14,9 @@ namespace mariotte::study {
 /// How one point ended.
 struct Verdict {
   std::string ending = "separated";  ///< as in a result; "rejected" for a scene that makes no sense
-  std::string reason = {};  ///< why there are no numbers; which limit was reached; what to say of slopes
+  /// Why there are no numbers; which limit was reached, how wrong velocities may be, what to say of slopes.
+  std::string reason = {};
+  std::optional<double> estimated_accuracy = {};  ///< as of the run
 
   /// Whether the numbers mean something: the run ended by itself, or at a limit that the scene sets.
   bool has_numbers() const;

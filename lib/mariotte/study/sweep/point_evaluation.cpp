@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mariotte/hybrid/reached_limit.hpp"
+#include "mariotte/impact/doubt.hpp"
 #include "mariotte/study/sweep/slope_columns.hpp"
 
 namespace mariotte::study {
@@ -13,13 +14,23 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Says first which limit ended a run; the end that its scene wants is none.
-void tell_limit(const hybrid::Options& run, Verdict& verdict) {
+/// Which limit ended a run; the end that its scene wants is none.
+std::string limit_of(const hybrid::Options& run, const Verdict& verdict) {
   for (const auto ending : {hybrid::Ending::time_limit, hybrid::Ending::event_limit}) {
-    if (verdict.ending != hybrid::name(ending)) continue;
-    if (ending == hybrid::Ending::time_limit && run.flies_on) continue;
-    verdict.reason = reached_limit(ending, run) + (verdict.reason.empty() ? "" : "; ") + verdict.reason;
+    const bool is_wanted = ending == hybrid::Ending::time_limit && run.flies_on;
+    if (verdict.ending == hybrid::name(ending) && !is_wanted) return reached_limit(ending, run);
   }
+  return "";
+}
+
+/// Says first which limit ended a run, and that its velocities may be less exact than was asked.
+void tell(const hybrid::Options& run, Verdict& verdict) {
+  if (!verdict.has_numbers()) return;
+  std::string all;
+  for (const auto& text :
+       {limit_of(run, verdict), impact::doubt(verdict.estimated_accuracy, run.accuracy), verdict.reason})
+    if (!text.empty()) all += (all.empty() ? "" : "; ") + text;
+  verdict.reason = std::move(all);
 }
 
 }  // namespace
@@ -51,7 +62,7 @@ void PointEvaluation::keep(const Pending& pending, Verdict verdict, std::span<co
   };
   const auto finite = [](double value) { return std::isfinite(value) ? value : none; };
   for (std::size_t i = 0; i < outputs_.size(); ++i) row.numbers[i] = finite(value_of(outputs_[i]));
-  tell_limit(pending.run, verdict);
+  tell(pending.run, verdict);
   *row.verdict = std::move(verdict);
 }
 
