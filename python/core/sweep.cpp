@@ -207,19 +207,24 @@ std::vector<Index> shape(const Sweep& sweep) {
   return counts;
 }
 
-/// Of every key that is varied: its axis, its values in SI along it, or nothing if they are no numbers, and
-/// their unit.
+/// Values in SI along an axis, or words.
+py::object values_of(const study::Design& design, std::size_t i) {
+  const auto& one = design.parameters[i];
+  const auto& axis = design.axes[static_cast<std::size_t>(one.axis)];
+  if (!is_numeric(one)) return py::cast(report::value_names(one));
+  std::vector<double> values;
+  for (Index k = 0; k < axis.count; ++k) values.push_back(number(design, i, k * axis.stride));
+  const auto count = std::ssize(values);
+  return owned(std::move(values), {count});
+}
+
+/// Of every key that is varied: its axis, its values, and their unit.
 py::list parameters(const Sweep& sweep) {
   const auto& design = sweep.plan().design;
   py::list all;
   for (std::size_t i = 0; i < design.parameters.size(); ++i) {
     const auto& one = design.parameters[i];
-    const auto& axis = design.axes[static_cast<std::size_t>(one.axis)];
-    std::vector<double> values;
-    for (Index k = 0; is_numeric(one) && k < axis.count; ++k)
-      values.push_back(number(design, i, k * axis.stride));
-    const auto count = std::ssize(values);
-    all.append(py::make_tuple(one.key, one.axis, owned(std::move(values), {count}), one.unit));
+    all.append(py::make_tuple(one.key, one.axis, values_of(design, i), one.unit));
   }
   return all;
 }

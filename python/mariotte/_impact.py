@@ -16,7 +16,7 @@ from ._errors import in_python, warn
 from ._events import Event, TipImpact, event, tip_impact
 from ._files import save
 from ._numbers import Array, Numbers, counted, number
-from ._scene import Body, Chain, Network, Path, Result, Scene
+from ._scene import Body, Chain, Network, Path, Result, Scene, box_of
 from ._sensitivity import Sensitivity, sensitivity
 from ._toml import plain
 from ._trajectory import Trajectory
@@ -441,6 +441,4 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
 
 
 def _simulated(scene: Scene[Any], options: Tuple[Any, ...]) -> Any:
-    if not isinstance(scene, Scene):
-        raise TypeError(f"a scene is needed, not {scene!r}: load reads a file, parse a text")
-    return Impact._of.get(type(scene), Impact)(scene, _core.simulate(scene._box, *options), options)
+    return Impact._of.get(type(scene), Impact)(scene, _core.simulate(box_of(scene), *options), options)

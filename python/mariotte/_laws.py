@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import ctypes
 from typing import Any, Dict, NamedTuple, Optional, Sequence, TypeVar, Union
 
 from . import _core
 from ._numbers import Array, Numbers, listed, number
-from ._scene import Chain, Network, Scene
+from ._scene import Chain, Network, Scene, box_of
 
 S = TypeVar("S", bound=Scene[Any])
 Function = Union[int, Any]  # an address, or what has one
@@ -122,9 +123,14 @@ def with_law(scene: S, *, force: Function, stored_energy: Function, name: str = 
     >>> mt.simulate(mt.with_law(pair, force=cone, stored_energy=energy)).velocity.round(9)
     array([0., 1.])
     """
+    box_of(scene)
     places = range(_contacts(scene)) if contacts is None else contacts
-    made = type(scene)._of(_core.with_law(scene._box, name, _address(force), _address(stored_energy), dissipates,
-                                          list(places), (force, stored_energy)))
+    if len(places) == 0:
+        raise ValueError("contacts is empty: no contact would have the law")
+    double = ctypes.c_double
+    of_force, of_energy = _address(force, None, double, double, None), _address(stored_energy, double, double)
+    made = type(scene)._of(_core.with_law(scene._box, name, of_force, of_energy, dissipates, list(places),
+                                          (force, stored_energy)))
     assert isinstance(made, type(scene))
     return made
 
@@ -135,17 +141,16 @@ def _contacts(scene: Scene[Any]) -> int:
     raise TypeError(f"only contacts of chains and networks take a law, and {scene!r} has none")
 
 
-def _address(function: Function) -> int:
-    if isinstance(function, int) and function:
+def _address(function: Function, result: Any, *arguments: Any) -> int:
+    """Of a compiled function; one whose prototype is known must have this one. A last argument of None is a pointer."""
+    if isinstance(function, int) and not isinstance(function, bool) and function > 0:
         return function
-    if hasattr(function, "address"):  # numba.cfunc
-        return int(function.address)
-    import ctypes
-
-    try:
-        address = ctypes.cast(function, ctypes.c_void_p).value
-    except ctypes.ArgumentError:
-        address = None
-    if not address:
-        raise TypeError(f"a contact law needs compiled functions: {function!r} is none")
-    return address
+    typed = getattr(function, "ctypes", function)  # numba.cfunc has one
+    if not isinstance(typed, ctypes._CFuncPtr):  # type: ignore[attr-defined]
+        raise TypeError(f"a contact law needs compiled functions of C, or their addresses: {function!r} is none")
+    known = typed.argtypes
+    if known is not None and not (typed.restype is result and len(known) == len(arguments) and all(
+            have is want or (want is None and have is not ctypes.c_double) for have, want in zip(known, arguments))):
+        raise TypeError(f"a function of another prototype: {', '.join(one.__name__ for one in known)} are its arguments, "
+                        f"{getattr(typed.restype, '__name__', None)} its result")
+    return ctypes.cast(typed, ctypes.c_void_p).value or 0

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core
 from ._numbers import Array, Numbers, numbers
-from ._scene import Scene
+from ._scene import Scene, box_of
 
 
 class Rest(NamedTuple):
@@ -104,5 +104,5 @@ def modes(scene: Scene[Any], *, force: Optional[Numbers] = None) -> Modes:
     array([1., 3.])
     """
     pressed = None if force is None else float(numbers(force, "N"))
-    report, table, shape = _core.modes(scene._box, pressed)
+    report, table, shape = _core.modes(box_of(scene), pressed)
     return Modes(json.loads(report), table, shape)

@@ -171,7 +171,7 @@ class ImpactPlot:
 
 def _asked(places: Optional[Sequence[int]], known: Sequence[int]) -> List[int]:
     """Places from 0 as numbers from 1; those that there are not are refused."""
-    numbers = [place + 1 for place in places or ()]
+    numbers = [] if places is None else [int(place) + 1 for place in places]
     missing = [number - 1 for number in numbers if number not in known]
     if missing:
         raise IndexError(f"no {missing[0]} among those of the figure: {known[0] - 1} to {known[-1] - 1}")
@@ -237,9 +237,18 @@ def _with_gaps(along: Array, curve: Array, ending: Any) -> Tuple[Array, Array]:
     return np.insert(along, gaps, np.nan), np.insert(curve, gaps, np.nan)
 
 
-def _style_of_line(place: int, along: Array) -> Any:
-    """One point is no line."""
-    return {**line_style(place), **({"marker": "o"} if len(along) == 1 else {})}
+def _plot_line(ax: Any, along: Array, curve: Array, ending: Any, place: int, name: str) -> None:
+    """A line with gaps where the ending changes; a point between two of them is a dot. Where what is varied goes to and
+    fro, all are."""
+    x, y = _with_gaps(along, curve, ending)
+    known = np.concatenate([[False], np.isfinite(y), [False]])
+    alone = np.flatnonzero(known[1:-1] & ~known[:-2] & ~known[2:])
+    style = line_style(place)
+    if np.any(np.diff(along) < 0):
+        style.update(marker="o", markersize=3, linestyle="none")
+    elif alone.size:
+        style.update(marker="o", markersize=3, markevery=alone.tolist())
+    ax.plot(x, y, label=name, **style)
 
 
 def _name_lines(ax: Any, count: int) -> None:
@@ -256,77 +265,107 @@ class SweepPlot:
     def __init__(self, sweep: "Sweep") -> None:
         self._sweep = sweep
 
-    def __call__(self, column: str, ax: Optional[Any] = None) -> Any:
+    def __call__(self, column: Optional[str] = None, ax: Optional[Any] = None) -> Any:
         """Curves along one axis; of a single number over two axes a map, or a curve per value of one that has no more
-        than seven. Returns the axes."""
+        than seven. The column may be left out if there is one. Returns the axes."""
+        if column is None:
+            column = self._only_column()
         with style_of(ax):
             return self._draw(column, ax)
 
-    def _draw(self, column: str, ax: Any) -> Any:
-        values = self._sweep[column]
-        axes = list(self._sweep.axes.items())
-        if len(self._sweep.shape) == 1:
-            return self._curves(column, values, axes[0], ax)
-        if values.ndim == 2:
-            short = [axis for axis in (0, 1) if 0 < len(self._along(axis)[1]) <= _MOST_OF_A_FAMILY]
-            return self._family(column, values, short[0], ax) if short else self._map(column, values, ax)
-        raise ValueError(f"{column} has the shape {values.shape}: a figure shows one axis, or one number over two")
+    def _only_column(self) -> str:
+        if len(self._sweep) != 1:
+            raise ValueError(f"which column? there are {len(self._sweep)}")
+        return next(iter(self._sweep))
 
-    def _curves(self, column: str, values: Array, axis: Tuple[str, Array], ax: Any) -> Any:
-        ax = _axes(ax)
+    def _draw(self, column: str, ax: Any) -> Any:
+        values, ending = self._sweep[column], self._sweep.ending
+        if len(self._sweep.shape) > 2 or values.ndim > 2 == len(self._sweep.shape):
+            raise ValueError(f"{column} has the shape {values.shape}: a figure shows one axis, or one number over two")
+        for axis in range(ending.ndim):
+            order = self._order(axis)
+            values, ending = np.take(values, order, axis), np.take(ending, order, axis)
+        if ending.ndim == 1:
+            return self._curves(column, values, ending, _axes(ax))
+        short = [axis for axis in (0, 1) if len(self._along(axis)[1]) <= _MOST_OF_A_FAMILY]
+        if short:
+            return self._family(column, values, ending, short[0], _axes(ax))
+        return self._map(column, values, _axes(ax))
+
+    def _curves(self, column: str, values: Array, ending: Any, ax: Any) -> Any:
         keys = self._sweep.keys_of(column)
-        (along, x), (heights, y) = self._shown(*axis), self._of_column(column, values)
+        (along, x), (heights, y) = self._shown(*self._along(0)), self._of_column(column, values)
         for place, (key, curve) in enumerate(zip(keys, heights.reshape(len(values), -1).T)):
-            name = mathtext(self._sweep._run.short_label(key))
-            ax.plot(*_with_gaps(along, curve, self._sweep.ending), label=name, **_style_of_line(place, along))
+            _plot_line(ax, along, curve, ending, place, mathtext(self._sweep._run.short_label(key)))
         if len(keys) > 1:
             _name_lines(ax, len(keys))
-        if _is_logarithmic(along):
-            make_logarithmic(ax, "x", along)
+        self._mark(ax, "x", 0)
         ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
-    def _shown(self, key: str, values: Array, name: str = "") -> Tuple[Array, str]:
-        """Values in the unit that suits them, and what stands beside their axis; `name` is the key of several."""
+    def _shown(self, key: str, values: Any, name: str = "") -> Tuple[Array, str]:
+        """Values in the unit that suits them, or the places of words, and what stands beside their axis; `name` is the
+        key of several."""
+        label, given = self._sweep._run.long_label(key, name or key), self._sweep.units[key]
+        if values.dtype.kind == "U":
+            return np.arange(len(values), dtype=float), labelled(label, "")
+        if given == "rad" and key in self._sweep.axes:
+            return np.degrees(values), labelled(label, "deg")
         largest = float(np.abs(values[np.isfinite(values)]).max(initial=0))
-        given = self._sweep.units[key]
         factor, unit = _core.display([largest], given) if given else (1.0, "")
-        return factor * values, labelled(self._sweep._run.long_label(key, name or key), unit)
+        return factor * values, labelled(label, unit)
 
     def _of_column(self, column: str, values: Array) -> Tuple[Array, str]:
         keys = self._sweep.keys_of(column)
         several = key_of_result(self._sweep.scene, column).replace("[*]", "")
         return self._shown(keys[0], values, several if len(keys) > 1 else "")
 
-    def _family(self, column: str, values: Array, short: int, ax: Any) -> Any:
+    def _family(self, column: str, values: Array, ending: Any, short: int, ax: Any) -> Any:
         """A curve along one axis for each value of the short one."""
-        ax = _axes(ax)
-        (per_curve, each), (along, x) = (self._shown(*self._along(axis)) for axis in (short, 1 - short))
+        key, each = self._along(short)
+        (along, x), (per_curve, heading) = self._shown(*self._along(1 - short)), self._shown(key, each)
         heights, y = self._of_column(column, values)
-        ends = np.moveaxis(self._sweep.ending, short, 0)
-        for place, (name, curve) in enumerate(zip(_told_apart(per_curve), np.moveaxis(heights, short, 0))):
-            ax.plot(*_with_gaps(along, curve, ends[place]), label=name, **_style_of_line(place, along))
-        ax.legend(title=each)
-        if _is_logarithmic(along):
-            make_logarithmic(ax, "x", along)
+        names = each.tolist() if each.dtype.kind == "U" else _told_apart(per_curve)
+        rows = zip(names, np.moveaxis(heights, short, 0), np.moveaxis(ending, short, 0))
+        for place, (name, curve, ends) in enumerate(rows):
+            _plot_line(ax, along, curve, ends, place, name)
+        ax.legend(title=heading)
+        self._mark(ax, "x", 1 - short)
         ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
     def _map(self, column: str, values: Array, ax: Any) -> Any:
-        ax = _axes(ax)
         (right, x), (up, y) = (self._shown(*self._along(axis)) for axis in (0, 1))
         colours, name = self._of_column(column, values)
         ax.figure.colorbar(ax.pcolormesh(right, up, colours.T, shading="nearest"), label=name)
-        for axis, along in (("y", up), ("x", right)):
-            if _is_logarithmic(along):
-                make_logarithmic(ax, axis, along)
+        for axis, letter in enumerate("xy"):
+            self._mark(ax, letter, axis)
         ax.set(xlabel=x, ylabel=y, title=wrapped(self._sweep.scene.title))
         return ax
 
-    def _along(self, axis: int) -> Tuple[str, Array]:
-        """The first key that moves along an axis, and its values."""
-        key = next(key for key, place in self._sweep.axis_of.items() if place == axis)
-        return key, self._sweep.axes[key]
+    def _mark(self, ax: Any, letter: str, axis: int) -> None:
+        """Words along an axis, or decades where values are evenly spaced in their logarithm."""
+        key, values = self._along(axis)
+        if values.dtype.kind == "U":
+            ax.set(**{f"{letter}ticks": range(len(values)), f"{letter}ticklabels": values.tolist()})
+        elif _is_logarithmic(values):
+            make_logarithmic(ax, letter, self._shown(key, values)[0])
+
+    def _along(self, axis: int) -> Tuple[str, Any]:
+        """The first key that moves along an axis, and its values in the order in which they are drawn."""
+        key = self._moving(axis)[0]
+        return key, self._sweep.axes[key][self._order(axis)]
+
+    def _order(self, axis: int) -> Any:
+        """From small to large, unless other keys move along, or what is varied is text."""
+        keys = self._moving(axis)
+        values = self._sweep.axes[keys[0]]
+        if len(keys) > 1 or values.dtype.kind == "U":
+            return np.arange(len(values))
+        return np.argsort(values, kind="stable")
+
+    def _moving(self, axis: int) -> List[str]:
+        return [key for key, place in self._sweep.axis_of.items() if place == axis]
 
 
 def plot_fit(fit: "Fit", ax: Any) -> Any:

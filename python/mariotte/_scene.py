@@ -130,6 +130,20 @@ class Scene(Generic[Result]):
         return f"<mariotte.{type(self).__name__} {self.title or self._box.name!r}>"
 
 
+def box_of(scene: Any) -> Any:
+    """What computes. Whatever is no scene is refused."""
+    if not isinstance(scene, Scene):
+        raise TypeError(f"a scene is needed, not {scene!r}: load reads a file, parse a text")
+    return scene._box
+
+
+def box_of_text(scene: Any) -> Any:
+    """The same of a scene that a text can say."""
+    box = box_of(scene)
+    scene._expect_text()
+    return box
+
+
 class _OfContacts(Scene[Result]):
     """What chains and networks have in common."""
 

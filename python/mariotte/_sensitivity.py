@@ -10,7 +10,7 @@ import numpy as np
 from . import _core
 from ._columns import matches, names
 from ._numbers import Array, Numbers, counted, numbers
-from ._scene import Scene
+from ._scene import Scene, box_of
 
 
 class Sensitivity:
@@ -127,7 +127,7 @@ def sensitivity(scene: Scene[Any], *, to: Union[str, Sequence[str]] = ()) -> Sen
     >>> slopes.slopes("velocity").round(9).tolist()
     [[-0.2, 1.2], [0.8, 0.2]]
     """
-    return Sensitivity(json.loads(_core.sensitivity(scene._box, names(to))))
+    return Sensitivity(json.loads(_core.sensitivity(box_of(scene), names(to))))
 
 
 def vjp(scene: Scene[Any], weights: Mapping[str, Any], *, to: Union[str, Sequence[str]] = ()) -> Dict[str, float]:
@@ -157,7 +157,9 @@ def vjp(scene: Scene[Any], weights: Mapping[str, Any], *, to: Union[str, Sequenc
     >>> {name: round(slope, 9) for name, slope in mt.vjp(pair, {"velocity": [0, 1]}, to="velocity").items()}
     {'velocity[0]': 0.8, 'velocity[1]': 0.2}
     """
-    if list(weights) != ["velocity"] or not _core.sweeps_back(scene._box):
+    if not isinstance(weights, Mapping):
+        raise TypeError(f"weights by outcome are needed, not {weights!r}")
+    if list(weights) != ["velocity"] or not _core.sweeps_back(box_of(scene)):
         return sensitivity(scene, to=to).vjp(weights)
     of_balls = _numbers(weights["velocity"])
     if of_balls.ndim != 1:

@@ -15,7 +15,7 @@ from ._columns import names
 from ._errors import warn
 from ._keys import whole_key
 from ._numbers import Array, Numbers, listed, number, numbers
-from ._scene import Path, Scene
+from ._scene import Path, Scene, box_of_text
 
 
 #: One value per measurement; cells may be text with a unit.
@@ -64,8 +64,7 @@ def capture_velocity(body: Scene[Any], *, tolerance: float = 1e-9) -> CaptureVel
     >>> round(mt.capture_velocity(sphere).value, 6)
     1.310359
     """
-    body._expect_text()
-    return CaptureVelocity(*_core.capture_velocity(body._box, number(tolerance, "tolerance")))
+    return CaptureVelocity(*_core.capture_velocity(box_of_text(body), number(tolerance, "tolerance")))
 
 
 class RestitutionCurve(NamedTuple):
@@ -98,9 +97,8 @@ def restitution(pair: Scene[Any], speed: Numbers) -> RestitutionCurve:
     >>> mt.restitution(beads, [0.1, 1]).restitution.round(6)
     array([0.808424, 0.808424])
     """
-    pair._expect_text()
-    speeds = listed(np.atleast_1d(numbers(speed, "m/s")))
-    found, closed, warnings = _core.restitution(pair._box, speeds)
+    box, speeds = box_of_text(pair), listed(np.atleast_1d(numbers(speed, "m/s")))
+    found, closed, warnings = _core.restitution(box, speeds)
     warn(warnings)
     return RestitutionCurve(np.array(speeds), found, closed)
 
@@ -246,13 +244,13 @@ def fit(scene: Scene[Any], data: Union[Path, Mapping[str, Column]], *,
     >>> round(found.values["surface.damping_hertz"], 9)
     0.002
     """
-    scene._expect_text()
+    box = box_of_text(scene)
     if isinstance(data, Mapping):
         text, name = _csv([(_header(scene, key), column) for key, column in data.items()]).encode(), "<data>"
     else:
         text, name = _core.read_text(os.fspath(data)), os.fspath(data)
-    keys = [whole_key(scene._box.kind, key) for key in names(free)]
-    found = Fit(_core.fit(scene._box, text, name, keys, number(confidence, "confidence")))
+    keys = [whole_key(box.kind, key) for key in names(free)]
+    found = Fit(_core.fit(box, text, name, keys, number(confidence, "confidence")))
     warn(found.warnings)
     return found
 

@@ -15,11 +15,11 @@ from ._files import save
 from ._impact import Ending
 from ._keys import whole_key
 from ._numbers import Array, Numbers, counted, number, numbers
-from ._scene import Chain, Path, Scene
+from ._scene import Chain, Path, Scene, box_of_text
 from ._toml import plain
 
 _Asked = Tuple[List[Tuple[str, List[Any], bool]], List[str]]  # axes and columns, as the scene would say them
-Axes = Mapping[Union[str, Tuple[str, ...]], Any]
+Axes = Mapping[Any, Any]  # values by key, or by a tuple of keys
 Endings = npt.NDArray[np.uint8]
 _NO_ELEMENT = "S017"  # the code of a key that leads nowhere
 
@@ -43,9 +43,9 @@ class Sweep(Mapping[str, Array]):
         return tuple(self._run.shape)
 
     @property
-    def axes(self) -> Dict[str, Array]:
-        """What was varied: values in SI by key; empty arrays for text."""
-        return {key: values for key, _, values, _ in self._run.parameters}
+    def axes(self) -> Dict[str, npt.NDArray[Any]]:
+        """What was varied: values in SI, or words, by key."""
+        return {key: np.asarray(values) for key, _, values, _ in self._run.parameters}
 
     @property
     def axis_of(self) -> Dict[str, int]:
@@ -179,11 +179,13 @@ def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str,
     >>> grid["icr[0]"][2, 1].round(6)
     1.076822
     """
+    box_of_text(scene)
+    if not isinstance(axes or {}, Mapping):
+        raise TypeError(f"values by key are needed, not {axes!r}")
     if accuracy is not None:
         scene = scene.replace({"run.accuracy": number(accuracy, "accuracy")})
     if until is not None:
         scene = scene.replace({"run.until": until})
-    scene._expect_text()
     listed = _axes(scene, axes or {})
     if isinstance(scene, Chain):
         scene = _with_elements(scene, [key for key, _, _ in listed if key.startswith("chain.gap[")])

@@ -89,9 +89,35 @@ def test_text_is_no_number(triplet):
             call()
 
 
-def test_a_path_is_no_scene():
+@pytest.mark.parametrize("call", [mt.simulate, mt.modes, mt.sensitivity, mt.capture_velocity, mt.sweep,
+                                  lambda one: mt.restitution(one, [1]), lambda one: mt.vjp(one, {"velocity": [1]}),
+                                  lambda one: mt.fit(one, {"speed": [1], "restitution": [1]}),
+                                  lambda one: mt.with_law(one, force=1, stored_energy=1)])
+def test_a_path_is_no_scene(call):
     with pytest.raises(TypeError, match="a scene is needed, not 'cradle.toml': load reads"):
-        mt.simulate("cradle.toml")
+        call("cradle.toml")
+
+
+def test_what_is_no_mapping_has_no_keys(triplet):
+    for call in (mt.sweep, mt.vjp):
+        with pytest.raises(TypeError, match="by .* are needed, not"):
+            call(triplet, [1, 2])
+
+
+def test_a_law_of_ones_own_is_compiled_and_has_its_prototype(triplet):
+    import ctypes
+
+    real, pointer = ctypes.c_double, ctypes.POINTER(ctypes.c_double)
+    force = ctypes.CFUNCTYPE(None, real, real, pointer)(lambda depth, rate, out: None)
+    energy = ctypes.CFUNCTYPE(real, real)(lambda depth: depth)
+    for wrong in ("1e9*depth**1.5", b"1e9", True, lambda depth: depth):
+        with pytest.raises(TypeError, match="needs compiled functions"):
+            mt.with_law(triplet, force=wrong, stored_energy=energy)
+    for swapped in (dict(force=energy, stored_energy=force), dict(force=force, stored_energy=force)):
+        with pytest.raises(TypeError, match="another prototype"):
+            mt.with_law(triplet, **swapped)
+    with pytest.raises(ValueError, match="contacts is empty"):
+        mt.with_law(triplet, force=force, stored_energy=energy, contacts=[])
 
 
 def test_what_is_no_word_and_no_value_is_said_to_be_none(triplet):

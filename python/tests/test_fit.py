@@ -29,6 +29,14 @@ def test_arrays_are_measurements_too():
     assert mt.fit(scene, dict(zip(names, columns))).values == mt.fit(scene, data).values
 
 
+def test_a_fit_has_something_to_find_and_a_confidence():
+    scene, data = mt.load(SCENES / "sphere_fit.toml"), SCENES / "sphere_fit.csv"
+    with pytest.raises(mt.InvalidParameter, match="nothing to find"):
+        mt.fit(scene, data, free=[])
+    with pytest.raises(mt.InvalidParameter, match="confidence must be between 0 and 1, is 95"):
+        mt.fit(scene, data, confidence=95)
+
+
 def test_chains_are_fitted_too():
     pair = mt.load(SCENES / "measured_restitution.toml")
     truth = pair.replace({"chain.restitution": 0.8})

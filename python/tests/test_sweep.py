@@ -205,9 +205,22 @@ def test_many_chains_are_told_in_a_line():
     assert np.isnan(mt.solve(1, 1, [-1, 0, 0]).icr).tolist() == [[True]]
 
 
+def test_what_is_less_exact_than_was_asked_says_so():
+    box = mt.Chain(mass=[1, 1.3, 0.7, 1.1], velocity=[1, 0, -0.5, 0.2], law="hertz", stiffness=1e6, wall="both",
+                   gap=[0.1] * 5, run={"until": 100})
+    with pytest.warns(mt.ModelWarning, match="velocities of 2 points may be less exact than was asked"):
+        grid = mt.sweep(box, {"velocity[0]": [1, 1 + 1e-15]}, columns="velocity")
+    assert all(reason.startswith("velocities may be wrong by") for reason in grid.reasons.values())
+    row = np.array([[1e-3, 10, 1e-4, 20, 1e-3, 5, 1e-4, 30]])
+    with pytest.warns(mt.ModelWarning, match="velocities of 1 chain may be less exact"):
+        many = mt.solve(row, 1e9, [1, 0, 0, 0, 0, 0, 0, -1], gap=1e-3, accuracy=1e-14)
+    assert many.estimated_accuracy[0] > 1e-14
+    assert np.isnan(mt.solve([1, 1, 1], 1e9, [1, 0, 0]).estimated_accuracy).all()
+
+
 def test_no_chains_have_no_results():
     none = mt.solve([1, 1, 1], 1e9, np.empty((0, 3)))
-    assert [one.shape for one in none] == [(0, 3), (0, 2), (0,), (0,)]
+    assert [one.shape for one in none] == [(0, 3), (0, 2), (0,), (0,), (0,)]
     with pytest.raises(mt.InvalidParameter, match=r"velocity has the shape \(0, 3\), but \(2, 3\)"):
         mt.solve(np.ones((2, 3)), 1e9, np.empty((0, 3)))
 
