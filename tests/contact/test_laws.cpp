@@ -147,15 +147,32 @@ BOOST_AUTO_TEST_CASE(a_law_that_does_not_grow_is_refused) {
   BOOST_CHECK_THROW(Limp().natural_indentation(2), mariotte::InvalidParameter);
 }
 
-BOOST_AUTO_TEST_CASE(a_force_that_is_no_number_is_refused_by_the_name_of_its_law) {
-  class Void final : public CustomLaw {
-    std::string_view name() const override { return "void"; }
-    Force force(double, double) const override { return {std::nan(""), 0, 0}; }
-    double stored_energy(double depth) const override { return depth; }
+/// Stores δ²/2.
+class Stated final : public CustomLaw {
+ public:
+  Stated(double slope, bool dissipates) : slope_(slope), dissipates_(dissipates) {}
+  std::string_view name() const override { return "stated"; }
+  Force force(double depth, double) const override { return {slope_ * depth, slope_, 0}; }
+  double stored_energy(double depth) const override { return 0.5 * depth * depth; }
+  bool dissipates() const override { return dissipates_; }
+
+ private:
+  double slope_;
+  bool dissipates_;
+};
+
+BOOST_AUTO_TEST_CASE(a_force_without_sense_is_refused_by_the_name_of_its_law) {
+  const auto refused = [](double slope, std::string_view why) {
+    BOOST_CHECK_EXCEPTION(Stated(slope, false).natural_indentation(2), mariotte::InvalidParameter,
+                          [&](const auto& error) { return error.what() == why; });
   };
-  BOOST_CHECK_EXCEPTION(Void().natural_indentation(2), mariotte::InvalidParameter, [](const auto& error) {
-    return std::string_view(error.what()) == "the law 'void' has a force that is no number";
-  });
+  refused(std::nan(""), "the law 'stated' at δ = 2 m: its force is no number");
+  refused(
+      -1,
+      "the law 'stated' at δ = 2 m: its force does not push, though it stores more energy the deeper it is");
+  refused(2, "the law 'stated' at δ = 2 m: its force is 4 N, and the slope of its stored energy 2 N");
+  BOOST_TEST(Stated(1, false).natural_indentation(2) == 2, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(Stated(2, true).natural_indentation(2) == 2, boost::test_tools::tolerance(1e-13));
 }
 
 BOOST_AUTO_TEST_CASE(only_power_laws_have_an_exponent) {

@@ -1,6 +1,7 @@
 #include "mariotte/contact/custom_law.hpp"
 
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "mariotte/contact/branched_law.hpp"
@@ -69,12 +70,33 @@ class ScaledLaw final : public CustomLaw {
   CubicCurve curve_;  ///< none if empty
 };
 
+[[noreturn]] void refuse(const CustomLaw& law, double depth, const std::string& why) {
+  std::ostringstream at;
+  at << depth;
+  throw InvalidParameter("the law '" + std::string(law.name()) + "' at δ = " + at.str() + " m: " + why);
+}
+
+/// Its force pushes where it stores energy, and without losses it is the slope of that energy.
+void expect_sense(const CustomLaw& law, double depth) {
+  constexpr double step = 1e-3, rough = 0.01;  // a kink between the two depths leaves a part of it
+  const double force = law.force(depth, 0).value;
+  if (std::isnan(force)) refuse(law, depth, "its force is no number");
+  if (!(force > 0))
+    refuse(law, depth, "its force does not push, though it stores more energy the deeper it is");
+  if (law.dissipates() || law.branched()) return;
+  const double low = (1 - step) * depth, high = (1 + step) * depth;
+  const double slope = (law.stored_energy(high) - law.stored_energy(low)) / (high - low);
+  if (std::abs(slope - force) <= rough * force) return;
+  std::ostringstream numbers;
+  numbers << "its force is " << force << " N, and the slope of its stored energy " << slope << " N";
+  refuse(law, depth, numbers.str());
+}
+
 }  // namespace
 
 double CustomLaw::natural_indentation(double energy) const {
   const double depth = where_reached([this](double at) { return stored_energy(at); }, energy, name());
-  if (std::isnan(force(depth, 0).value))
-    throw InvalidParameter("the law '" + std::string(name()) + "' has a force that is no number");
+  expect_sense(*this, depth);
   return depth;
 }
 

@@ -39,7 +39,8 @@ class CustomLaw {
   /// Force [N] of either sign and its slopes at δ ≥ 0 [m] and any rate [m/s]. It is cut off where it pulls.
   /// Slopes must be finite; for a law that does not dissipate the rate must not matter.
   virtual Force force(double indentation, double rate) const = 0;
-  /// Elastic energy [J] at δ ≥ 0: 0 at 0, and grows with δ.
+  /// Elastic energy [J] at δ ≥ 0: 0 at 0, and grows with δ. Its slope is the force of a law that does not
+  /// dissipate.
   virtual double stored_energy(double indentation) const = 0;
   /// True if the force depends on the rate. What the contact takes up and does not store is then lost.
   virtual bool dissipates() const { return false; }
