@@ -59,9 +59,9 @@ py::tuple picture(const Impact& impact) {
   }
   const auto& figure = impact.box().scene.figure;
   const auto [action, moving, unit] = seen(*traced);
-  const auto axis = report::time_axis(action, {}, figure);
-  return py::make_tuple(friction(*traced), pairs(axis.windows), pairs(report::axis_of_forces(axis).windows),
-                        axis.note, figure.logarithmic, moving, unit, figure.balls, figure.contacts);
+  const auto axis = report::time_axis(action, {}, figure), of_forces = report::axis_of_forces(axis);
+  return py::make_tuple(friction(*traced), pairs(axis.windows), pairs(of_forces.windows), of_forces.note,
+                        figure.logarithmic, moving, unit, figure.balls, figure.contacts);
 }
 
 /// A row per sample, three numbers for each of `count`.

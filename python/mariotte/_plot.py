@@ -62,7 +62,7 @@ class ImpactPlot:
         curves = Curves(quantity, "N", names, True, samples.time, values, closed and [j + 1 for j in closed])
         if not isinstance(self._impact.scene, Body):
             curves = chosen(curves, _asked(contacts, curves.numbers or range(1, len(names) + 1)) or own)
-        if ax is not None or curves.values.shape[1] > _MOST_CURVES or len(of_forces) == len(windows):
+        if ax is not None or curves.values.shape[1] > _MOST_CURVES:
             return self._draw(curves, windows, "contact j", logarithmic, ax)
         return self._draw(curves, of_forces, "contact j", logarithmic, ax, note)
 
@@ -110,7 +110,7 @@ class ImpactPlot:
             raise ValueError(f"there is no {curves.quantity.split()[0]}")
         _, windows, of_forces, note, logarithmic, *_ = _core.picture(self._impact._run)
         if curves.at_peak and ax is None and count <= _MOST_CURVES:
-            return self._draw(curves, of_forces, along, logarithmic, ax, note if of_forces != windows else "")
+            return self._draw(curves, of_forces, along, logarithmic, ax, note)
         return self._draw(curves, windows, along, logarithmic, ax)
 
     def energy(self, ax: Optional[Any] = None) -> Any:

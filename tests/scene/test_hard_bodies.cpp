@@ -75,7 +75,17 @@ const HardCase cases[] = {
     {"fading_slip",
      1e-12,
      {0.131603481730, -0.225471343219, -0.0176256457952},
-     {-22.8986679082, -39.8725645589, -112.017122922}}};
+     {-22.8986679082, -39.8725645589, -112.017122922}},
+    {"large_friction_lets_go",
+     1e-10,
+     {0.363752390466, -1.145193571717, 0.747784617568},
+     {0.027425424327, 0.602470398802, 0.252139325433}},
+    // Adams and BDF have the same field, whose direction of friction was held too early; another program, in
+    // long double, gave the impulse of which this is the velocity.
+    {"large_friction_turns",
+     1e-12,
+     {-0.8733305358807, 0.3297245574234, -0.9279093039523},
+     {0.0548021291051, 0.3401745004115, -0.9073947050730}}};
 
 constexpr double radius = 0.01;
 

@@ -325,9 +325,9 @@ class BodiesField {
   /// e would turn ever faster, and by rounding.
   Vector turning_to_slip(const Contact& one, const ContactForces<T, D>& c) const {
     const auto& u = c.motion.slip;
-    const double faint = setting_.faint * one.force;
+    const double faint = setting_.faint * one.fading_force();
     const T stretch = (one.tangential.friction * (c.normal > faint ? c.normal : T(faint))) / c.spring;
-    const T least = 10 * setting_.faint * one.time * norm(u);
+    const T least = 10 * setting_.faint * (one.fading_force() / one.force) * one.time * norm(u);
     const T length = stretch > series::value_of(least) ? stretch : least;
     if (!(length > 0.0)) return lift<T>(Vec<double, D>{});
     return (1.0 / length) * (u - dot(u, c.direction) * c.direction);

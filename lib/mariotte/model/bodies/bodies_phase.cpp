@@ -141,7 +141,7 @@ flow::Accepted BodiesPhase<D>::accept(ConstState x) {
 template <int D>
 void BodiesPhase<D>::weigh_direction(std::size_t i) {
   const auto& one = mode_->closed[i];
-  const double full = setting_.contact[one.contact].force;
+  const double full = setting_.contact[one.contact].fading_force();
   const double faded = 0.1 * full / std::max(field_.contact(i).normal, setting_.faint * full);
   std::fill_n(magnitude_.begin() + layout_.spring(one.slot), layout_.tangents,
               direction_magnitude * std::max(1.0, faded));

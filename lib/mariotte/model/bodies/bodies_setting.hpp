@@ -7,6 +7,7 @@
 #include "mariotte/model/bodies/bodies.hpp"
 #include "mariotte/model/bodies/bodies_mode.hpp"
 #include "mariotte/model/bodies/vec.hpp"
+#include "mariotte/series/dual.hpp"
 
 namespace mariotte::model {
 
@@ -50,6 +51,8 @@ struct SettingContact {
   // Natural sizes.
   double mass = 1, length = 1, time = 1, force = 1;
 
+  /// Where the normal force is as small, friction is not: a large coefficient leaves it as much as there was.
+  double fading_force() const { return force / std::max(1.0, series::value_of(tangential.friction)); }
   /// Of the centres of two spheres that touch: the sum of their radii, unless they were stated to touch.
   N touching_distance() const { return distance - gap; }
 };
