@@ -165,6 +165,11 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused_at_its_place) {
   BOOST_TEST(has(rejection(damped + "restitution = 0\n"), "must be positive"));
   BOOST_TEST(has(rejection(damped + "restitution = 0.5\ndamping = 1\n"), "'damping' is given, too"));
   BOOST_TEST(has(rejection(pair + "law = 'hertz'\nrestitution = 0.5\n"), "law 'hertz' has no damping"));
+  const std::string of_all = "law = 'viscoelastic'\ndamping = 1\n",
+                    own = "[[chain.contact]]\nlaw = 'hertz'\n";
+  BOOST_TEST(has(rejection(pair + of_all + own),
+                 "'hertz' of contact 1 has no damping; give that contact damping = 0, or take viscoelastic"));
+  BOOST_TEST(rejection(pair + of_all + own + "damping = 0\n") == "accepted");
   BOOST_TEST(
       has(rejection("[chain]\nmass = [1, 1]\nstiffness = 1\nlaw = 'viscoelastic'\nrestitution = 0.5\n"),
           "needs 'at'"));

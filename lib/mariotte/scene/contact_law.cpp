@@ -54,6 +54,17 @@ std::optional<double> read_relaxation(const Source& source, const LawTables& tab
          number(source, *field, dimension::time, Domain::not_negative);
 }
 
+/// A contact of its own law may have got it from all.
+[[noreturn]] void refuse_damping(const Source& source, const LawTables& tables, Index contact,
+                                 const Field& field, const NamedLaw& law) {
+  const auto& own = tables.place_of(contact);
+  const bool is_of_all = &own != &tables.whole && find(own, "law") && !find(own, "damping");
+  const auto whose = is_of_all ? " of contact " + std::to_string(contact + 1) : "";
+  const auto remedy = is_of_all ? "give that contact damping = 0, or take " : "take ";
+  reject(source, field, fault::misplaced,
+         quoted(law) + whose + " has no damping; " + remedy + contact::names_of_damped_laws());
+}
+
 /// The damping itself; a restitution takes its place.
 double read_damping(const Source& source, const LawTables& tables, Index contact, const Field& law_field,
                     const NamedLaw& law, const contact::LawNumbers& numbers) {
@@ -65,9 +76,7 @@ double read_damping(const Source& source, const LawTables& tables, Index contact
   if (!field) return 0;
   const auto unit = key ? key->dimension : dimension::damping;
   const double damping = number(source, *field, unit(numbers.exponent), Domain::not_negative);
-  if (!key && damping != 0)
-    reject(source, *field, fault::misplaced,
-           quoted(law) + " has no damping; take " + contact::names_of_damped_laws());
+  if (!key && damping != 0) refuse_damping(source, tables, contact, *field, law);
   return damping;
 }
 
