@@ -113,6 +113,7 @@ std::vector<double> Fit::values() const {
 }
 
 Fit fit(FitModel& model, const std::vector<std::string>& free, double confidence) {
+  if (free.empty()) throw InvalidParameter("no key of the scene is free: there is nothing to find");
   if (!(confidence > 0 && confidence < 1))
     throw InvalidParameter(fmt::format("confidence must be between 0 and 1, is {:g}", confidence));
   expect_enough(model.measurements(), model.measurements().rows.size(), free.size());

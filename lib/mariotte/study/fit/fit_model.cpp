@@ -109,7 +109,6 @@ void FitModel::expect_quantity(const scene::Scene& scene) {
 }
 
 void FitModel::find_start(const std::vector<std::string>& free) {
-  if (free.empty()) throw InvalidParameter("no key of the scene is free: there is nothing to find");
   for (const auto& key : free) {
     const auto place = add_origin(document_.source, "--free " + key);
     for (const auto& setting : measurements_.settings)
