@@ -48,9 +48,9 @@ std::unique_ptr<Impact> simulate_scene(const SharedScene& box, std::optional<dou
     if (value) of_option(key, [&] { act(*value), validate(options); });
   };
   put("accuracy", accuracy, [&](double one) { options.accuracy = one; });
+  if (until || max_time) options.flies_on = until.has_value();
   put("max_time", max_time, [&](const Time& one) { options.max_time = seconds(one); });
   put("until", until, [&](const Time& one) { options.max_time = seconds(one); });
-  if (until || max_time) options.flies_on = until.has_value();
   put("max_events", max_events, [&](Index one) { options.max_events = one; });
   put("flow", flow, [&](const std::string& one) { options.flow = flow::parse_kind(one); });
   return std::make_unique<Impact>(box, options, until || (box->scene.until && !max_time), estimate);

@@ -132,6 +132,9 @@ def test_what_is_no_word_and_no_value_is_said_to_be_none(triplet):
 def test_an_end_is_wanted_or_a_limit(triplet):
     with pytest.raises(TypeError, match="until.*max_time"):
         mt.simulate(triplet, until=1e-3, max_time=1e-4)
+    for name in ("until", "max_time"):
+        with pytest.raises(mt.InvalidParameter, match=f"{name} must be positive"):
+            mt.simulate(triplet, **{name: 0})
 
 
 @pytest.mark.parametrize("values", [1.0, "1", np.ones((2, 2)), np.float64(1)])
