@@ -120,6 +120,13 @@ double keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run
   return std::max({*shaken, agreed ? *last : 0, slowed_rounding(gone)});
 }
 
+/// Unless the run that stays is no result.
+template <class Impact>
+void set_estimate(double estimate, Impact& impact) {
+  impact.estimated_accuracy.reset();
+  if (!is_no_result(impact.ending)) impact.estimated_accuracy = estimate;
+}
+
 /// Steps of CVODE add up errors in which two runs may agree: the estimate is no less where they are more than
 /// was asked for.
 template <class Impact>
@@ -184,7 +191,7 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
       return end_alike(other.ending, impact.ending) ? std::optional(apart(impact, other)) : std::nullopt;
     });
   };
-  impact.estimated_accuracy = keep_promise(asked, gone, run, shake);
+  set_estimate(keep_promise(asked, gone, run, shake), impact);
   add_floor(gone, asked.accuracy, impact);
 }
 
@@ -212,8 +219,7 @@ void keep_promise(const Model& model, const hybrid::Options& asked, Passage gone
       return end_alike(looser.ending, impact.ending) ? std::optional(apart(impact, looser)) : std::nullopt;
     });
   };
-  const double estimate = keep_promise(asked, gone, run, shake);
-  impact.estimated_accuracy = estimate;  // once `impact` is the run that stays
+  set_estimate(keep_promise(asked, gone, run, shake), impact);
   add_floor(gone, asked.accuracy, impact);
 }
 
