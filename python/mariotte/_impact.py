@@ -140,7 +140,8 @@ class Impact:
     @property
     def estimated_accuracy(self) -> float:
         """Upper bound on the error of the velocities, relative to the largest incident speed; nan if none was
-        estimated, by a run that doubted itself or because of ``simulate(…, estimate=True)``."""
+        estimated, by a run that doubted itself or because of ``simulate(…, estimate=True)``. Infinite where nothing
+        bounds it, as a warning says."""
         return float(self["accuracy.estimated"])
 
     @property
