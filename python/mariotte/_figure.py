@@ -12,6 +12,7 @@ from ._labels import name_curves, write_words
 _SHADES = ("#f1f4f8", "#e6ecf3", "#dce4ee")  # of one, two, three and more contacts
 _MOST_EVENTS = 24  # more would hide the curves
 _FAR = 400  # lengths of a panel between it and the start of the run
+_LONG_NUMBERS = 20  # the same, from where on numbers along its axis have so many digits that only some have room
 
 
 def make_panels(ax: Any, windows: Sequence[Window], title: str) -> Tuple[List[Any], List[Window]]:
@@ -31,9 +32,17 @@ def make_panels(ax: Any, windows: Sequence[Window], title: str) -> Tuple[List[An
         one.tick_params(left=False)
     for one in axes[0]:
         one.spines[["top", "right"]].set_visible(False)
-        one.locator_params(axis="x", nbins=9 if len(windows) == 1 else 3)
+        one.locator_params(axis="x", nbins=_most_numbers(windows))
         one.tick_params(axis="x", labelsize="medium" if len(windows) == 1 else "x-small")
     return list(axes[0]), list(windows)
+
+
+def _most_numbers(windows: Sequence[Window]) -> int:
+    """Along the axis of each panel."""
+    if len(windows) > 1:
+        return 3
+    (start, end), = windows
+    return 4 if end > _LONG_NUMBERS * (end - start) else 9
 
 
 def draw_curves(axes: Sequence[Any], windows: Sequence[Window], curves: Curves, events: Sequence[Event],

@@ -317,6 +317,16 @@ def test_slopes_and_names_of_ones_own_are_labelled_as_by_the_command():
     assert grid.plot(slope).get_xlabel() == "gap g$_{2}$ [µm]"
 
 
+def test_a_figure_of_forces_says_which_impacts_it_shows():
+    row = mt.Chain(mass=[1, 1.3, 0.7, 1.1, 0.9, 1.2], velocity=[1, 0, -0.5, 0.2, 0, -1], law="hertz", stiffness=1e9,
+                   gap=[0.1, 0.07, 0.13, 0.05, 0.09])
+    assert mt.simulate(row).plot.forces().figure._supxlabel.get_text().endswith(": 3 strongest of 11 impacts")
+    shot = mt.simulate(mt.load(SCENES / "draw_shot.toml")).plot.forces()
+    assert shot.get_xlabel() == "time t [s]: where forces are strong"
+    low, high = shot.get_xlim()
+    assert 2 <= sum(low <= tick <= high for tick in shot.get_xticks()) <= 4  # of seven digits each
+
+
 def test_new_figures_are_as_wide_as_those_of_the_command(cradle, triplet):
     import matplotlib.pyplot as plt
 
