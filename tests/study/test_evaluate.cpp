@@ -293,6 +293,24 @@ BOOST_AUTO_TEST_CASE(slopes_are_columns_beside_others) {
              boost::test_tools::tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(a_star_stands_for_all_indices_of_a_slope) {
+  const auto columns = [](const char* scene, const char* key) {
+    std::string all;
+    for (const auto& one : swept(scene, "chain.velocity[0]", {key}).plan.columns)
+      all += one.key.substr(12) + " ";
+    return all;
+  };
+  const auto* const steel = three_steel_balls.c_str();
+  BOOST_TEST(columns(steel, "sensitivity.velocity[2].mass[*]") ==
+             "velocity[2].mass[0] velocity[2].mass[1] velocity[2].mass[2] ");
+  BOOST_TEST(
+      columns(steel, "sensitivity.impulse[*].contact[*].stiffness") ==
+      "impulse[0].contact[0].stiffness impulse[0].contact[1].stiffness impulse[1].contact[0].stiffness "
+      "impulse[1].contact[1].stiffness ");
+  BOOST_TEST(columns(steel, "sensitivity.time.chain.radius[*]") ==
+             "time.chain.radius[0] time.chain.radius[1] time.chain.radius[2] ");
+}
+
 BOOST_AUTO_TEST_CASE(slopes_by_numbers_of_the_scene_are_columns) {
   const auto [plan, numbers, verdict] =
       swept(three_steel_balls, "chain.velocity[0]", {"sensitivity.velocity[2].chain.radius[0]"});
@@ -343,6 +361,7 @@ BOOST_AUTO_TEST_CASE(slopes_that_a_scene_does_not_have_are_refused) {
   };
   refused("sensitivity.velocity[3].mass[0]", "this scene has no outcome 'velocity[3]'");
   refused("sensitivity.velocity[0].mas[0]", "did you mean 'mass[0]'?");
+  refused("sensitivity.velocity[0].mas[*]", "this scene has no number 'mas[*]'");
   refused("sensitivity.velocity[0]", "this scene has no number ''");
   refused("sensitivity.velocity[0].chain.mass", "'chain.mass' is a list: say which, as 'chain.mass[0]'");
   BOOST_CHECK_THROW(study::expand_columns({"sensitivity.velocity[0].mass[0]"}, three()), study::ColumnError);

@@ -151,9 +151,12 @@ class Expansion {
   void add_slope(const std::string& key) {
     if (!document_) throw ColumnError("'" + key + "': slopes are columns of sweeps alone");
     const WrittenScene example{*document_, scene_};
-    expect_slope(key, example, counting_ == Counting::by_run);
-    if (known_.insert(key).second)
-      columns_.push_back({key, unit_of_slope(key, example), "", "slope of an outcome by a number"});
+    const bool may_run = counting_ == Counting::by_run;
+    for (const auto& one : each_slope(key, example, may_run)) {
+      expect_slope(one, example, may_run);
+      if (known_.insert(one).second)
+        columns_.push_back({one, unit_of_slope(one, example), "", "slope of an outcome by a number"});
+    }
   }
 
   /// Throws BeyondEnd if the model is too small for the index.

@@ -84,6 +84,33 @@ std::optional<SceneNumber> find_number(const scene::Document& document, const st
   return {};
 }
 
+constexpr std::string_view every = "[*]";
+
+/// "mass[2]" is like "mass[*]".
+bool is_like(std::string_view name, std::string_view pattern) {
+  const auto star = pattern.find(every);
+  if (star == pattern.npos) return name == pattern;
+  const auto end = name.find(']');
+  return name.substr(0, star + 1) == pattern.substr(0, star + 1) && end != name.npos &&
+         is_like(name.substr(end + 1), pattern.substr(star + every.size()));
+}
+
+/// The name itself unless it stands for several.
+std::vector<std::string> all_like(const std::string& name, std::vector<std::string> known) {
+  if (name.find(every) == name.npos) return {name};
+  std::erase_if(known, [&](const std::string& one) { return !is_like(one, name); });
+  return known;
+}
+
+/// Of a list of the scene its elements, else those of the model.
+std::vector<std::string> numbers_like(const std::string& name, const WrittenScene& example) {
+  if (name.ends_with(every)) {
+    const auto list = name.substr(0, name.size() - every.size());
+    if (auto all = find_elements(example.document, list); !all.empty() && all[0] != list) return all;
+  }
+  return all_like(name, number_names(example.document, example.scene));
+}
+
 /// Of a slope: no angle is meant by s⁻¹.
 std::string quotient(const Dimension& a, const Dimension& b) {
   const auto unit = unit_of(Dimension{.kg = a.kg - b.kg, .m = a.m - b.m, .s = a.s - b.s});
@@ -130,6 +157,16 @@ SlopeColumn slope_column(std::string_view key, std::size_t column) {
   const auto dot = end_of_outcome(names);
   return {column, std::string(names.substr(0, dot)),
           std::string(names.substr(std::min(dot + 1, names.size())))};
+}
+
+std::vector<std::string> each_slope(const std::string& key, const WrittenScene& example, bool may_run) {
+  if (key.find(every) == key.npos) return {key};
+  const auto wanted = slope_column(key, 0);
+  std::vector<std::string> all;
+  for (const auto& outcome : all_like(wanted.outcome, outcome_names(example.scene, may_run)))
+    for (const auto& number : numbers_like(wanted.number, example))
+      all.push_back(fmt::format("{}{}.{}", prefix, outcome, number));
+  return all.empty() ? std::vector{key} : all;  // which is refused
 }
 
 void expect_slope(const std::string& key, const WrittenScene& example, bool may_run) {

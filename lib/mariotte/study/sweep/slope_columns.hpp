@@ -27,6 +27,9 @@ struct WrittenScene {
   const scene::Scene& scene;
 };
 
+/// Each of the slopes that a key with [*] for an index stands for.
+std::vector<std::string> each_slope(const std::string& key, const WrittenScene& example, bool may_run);
+
 /// Throws ColumnError if this scene has no such outcome, or no such number. Balls in a row or a network have
 /// outcomes that are known; bodies have to be run to tell theirs, if they `may_run`.
 void expect_slope(const std::string& key, const WrittenScene& example, bool may_run);
