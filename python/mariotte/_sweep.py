@@ -87,7 +87,7 @@ class Sweep(Mapping[str, Array]):
     def __getitem__(self, column: str) -> Array:
         found = self._matches(column)
         if not found:
-            raise KeyError(f"{column} is no column of this sweep: {', '.join(self)}")
+            raise KeyError(f"{column} is no column of this sweep: {self._some_columns()}")
         places, shape = list(found), [*self.shape, *extents(found.values())]
         if places == list(range(places[0], places[-1] + 1)):
             return self.table[:, places[0] : places[-1] + 1].reshape(shape)
@@ -101,7 +101,12 @@ class Sweep(Mapping[str, Array]):
 
     def __repr__(self) -> str:
         things = "point" if self.ending.size == 1 else "points"
-        return f"<mariotte.Sweep of {' × '.join(map(str, self.shape))} {things}: {', '.join(self)}>"
+        return f"<mariotte.Sweep of {' × '.join(map(str, self.shape))} {things}: {self._some_columns()}>"
+
+    def _some_columns(self) -> str:
+        """The first, and how many there are."""
+        most, keys = 8, list(self)
+        return ", ".join(keys[:most]) + (f", … {len(keys)} columns" if len(keys) > most else "")
 
     def save(self, path: Path) -> None:
         """Write all points as the command does: as CSV if the name ends in .csv, as HDF5 if in .h5 or .hdf5. A file of

@@ -218,6 +218,14 @@ def test_what_is_less_exact_than_was_asked_says_so():
     assert np.isnan(mt.solve([1, 1, 1], 1e9, [1, 0, 0]).estimated_accuracy).all()
 
 
+def test_many_columns_have_a_short_name():
+    grid = mt.sweep(mt.Chain(balls=20, mass=1, law="hertz", stiffness=1, velocity=[1] + 19 * [0]), {"mass": [1, 2]},
+                    columns="velocity")
+    assert repr(grid).endswith("final.velocity[7], … 20 columns>")
+    with pytest.raises(KeyError, match=r"icr is no column of this sweep: .* 20 columns"):
+        grid["icr"]
+
+
 def test_no_chains_have_no_results():
     none = mt.solve([1, 1, 1], 1e9, np.empty((0, 3)))
     assert [one.shape for one in none] == [(0, 3), (0, 2), (0,), (0,), (0,)]
