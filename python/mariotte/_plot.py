@@ -280,7 +280,7 @@ class SweepPlot:
 
     def _draw(self, column: str, ax: Any) -> Any:
         values, ending = self._sweep[column], self._sweep.ending
-        if len(self._sweep.shape) > 2 or values.ndim > 2 == len(self._sweep.shape):
+        if ending.ndim > 2 or (ending.ndim == 2 and values.ndim > 2):
             raise ValueError(f"{column} has the shape {values.shape}: a figure shows one axis, or one number over two")
         for axis in range(ending.ndim):
             order = self._order(axis)

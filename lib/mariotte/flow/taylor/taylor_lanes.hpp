@@ -28,6 +28,7 @@ consteval std::size_t sizes_up_to(int limit) {
   for (const int size : lane_sizes) count += size <= limit;
   return count;
 }
+
 /// The rows of a Coupling, by lane.
 struct Links {
   const int* first = nullptr;
