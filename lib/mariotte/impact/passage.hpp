@@ -1,6 +1,7 @@
 // What a run has gone through, which tells how far its errors may have grown.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "mariotte/core/types.hpp"
@@ -38,6 +39,16 @@ inline double floor_of_cvode(const Passage& passage) {
   const auto beyond = std::max<Index>(passage.cvode - passage.harmless, 0);
   const double ringing = static_cast<double>(beyond) / static_cast<double>(passage.cvode);
   return std::max(ringing * all, std::min(of_wave * all, most_of_wave));
+}
+
+/// Rounding of indentations that are large beside what moves, relative to the largest speed: at least what
+/// the accuracy of a flow ends at, and what steps add, of CVODE as many roundings as its weights allow.
+/// Measured on pressed rows that ring for 1 to 700 steps of series, and to 40 000 of CVODE.
+inline double rounding_of_steps(const Passage& passage) {
+  constexpr double least = 64, of_series = 4, of_adams = 6, of_bdf = 40;
+  const double series = std::max(least, of_series * std::sqrt(static_cast<double>(passage.steps)));
+  return epsilon * (series + of_adams * static_cast<double>(passage.adams) +
+                    of_bdf * static_cast<double>(passage.bdf));
 }
 
 /// Adds the work of a flow.

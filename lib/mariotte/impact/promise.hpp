@@ -145,10 +145,10 @@ bool moves(const Model& model) {
 /// A vibration that is slow beside what indentations hold back has rounding of that: the estimate says so
 /// where it is more than was asked for.
 template <class Model>
-void add_rounding(const Model& model, double asked, std::optional<double>& estimate) {
+void add_rounding(const Passage& gone, const Model& model, double asked, std::optional<double>& estimate) {
   if (!model.precompressed || !moves(model)) return;
   const auto [largest, reference] = speeds(model);
-  const double lost = 64 * epsilon * largest / reference;
+  const double lost = rounding_of_steps(gone) * largest / reference;
   if (reference < largest && lost > asked) estimate = std::max(lost, estimate.value_or(0));
 }
 

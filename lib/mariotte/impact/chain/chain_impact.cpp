@@ -200,7 +200,7 @@ ChainImpact simulate_known(const model::Chain& chain, const hybrid::Options& opt
                [&](const auto& a, const auto& b) {
                  return difference(a.velocity, b.velocity, reference_speed(chain), chain.drive);
                });
-  add_rounding(chain, options.accuracy, impact.estimated_accuracy);
+  add_rounding(passage(impact), chain, options.accuracy, impact.estimated_accuracy);
   impact.requested_accuracy = options.accuracy;
   if (impact.ending == hybrid::Ending::failed && falls_back(chain) && std::isinf(options.max_time))
     impact.message += "; balls that come to rest under gravity need a time limit";

@@ -107,7 +107,7 @@ struct ChainSolver::Memory {
     impact::keep_promise(chain, options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
       return difference(a.velocity, b.velocity, speed, chain.drive);
     });
-    add_rounding(chain, options.accuracy, impact.estimated_accuracy);
+    add_rounding(gone, chain, options.accuracy, impact.estimated_accuracy);
   }
 };
 

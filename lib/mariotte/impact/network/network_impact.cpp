@@ -135,7 +135,7 @@ NetworkImpact simulate_known(const model::Network& network, const hybrid::Option
                [&](const auto& a, const auto& b) {
                  return rate_difference(network, reference_speed(network), a.velocity, b.velocity);
                });
-  add_rounding(network, options.accuracy, impact.estimated_accuracy);
+  add_rounding(passage(impact), network, options.accuracy, impact.estimated_accuracy);
   impact.requested_accuracy = options.accuracy;
   return impact;
 }

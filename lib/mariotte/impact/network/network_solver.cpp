@@ -63,7 +63,7 @@ struct NetworkSolver::Memory {
     impact::keep_promise(network, options, gone, impact, looser, again, [&](const auto& a, const auto& b) {
       return rate_difference(network, reference_speed(network), a.velocity, b.velocity);
     });
-    add_rounding(network, options.accuracy, impact.estimated_accuracy);
+    add_rounding(gone, network, options.accuracy, impact.estimated_accuracy);
   }
 };
 

@@ -91,7 +91,7 @@ void SquaredSpeeds::release(const contact::Law& law, double indentation, double 
 }
 
 double SquaredSpeeds::in_balance() const {
-  constexpr double least = 1e-6;
+  constexpr double least = 1e-9;
   const double vibration = std::min(given + driven_changes + unbalanced, before());
   const double share = before() > 0 ? std::sqrt(vibration / before()) : 1;
   return std::max(share, least);

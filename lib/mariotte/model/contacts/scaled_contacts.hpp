@@ -56,7 +56,7 @@ struct SquaredSpeeds {
   /// is meant relative to v, not V.
   double in_wells() const { return before() > 0 ? std::max(before() / all(), 1e-4) : 1; }
   /// What is pressed and in balance vibrates with what moves it, not with what its indentations hold back; a
-  /// millionth of that at least.
+  /// billionth of that at least.
   double in_balance() const;
   /// Share of the largest speed that the accuracy of velocities is relative to: that of the vibration, but
   /// where nothing moves, and velocities are rounding, there is none.
