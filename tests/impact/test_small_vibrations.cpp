@@ -111,7 +111,8 @@ BOOST_AUTO_TEST_CASE(steps_of_cvode_round_indentations_each) {
       const auto found = impact::simulate(row, options(1e-10, flow));
       const double error = std::abs(found.velocity[1] / slow - std::cos(std::sqrt(3) * duration));
       BOOST_TEST(error < found.estimated_accuracy.value_or(0));
-      BOOST_TEST(found.estimated_accuracy.value_or(0) < (flow == flow::Kind::taylor ? 20 : 1e5) * 1e-15 / slow);
+      BOOST_TEST(found.estimated_accuracy.value_or(0) <
+                 (flow == flow::Kind::taylor ? 20 : 1e5) * 1e-15 / slow);
     }
 }
 

@@ -47,8 +47,8 @@ inline double floor_of_cvode(const Passage& passage) {
 inline double rounding_of_steps(const Passage& passage) {
   constexpr double least = 64, of_series = 4, of_adams = 6, of_bdf = 40;
   const double series = std::max(least, of_series * std::sqrt(static_cast<double>(passage.steps)));
-  return epsilon * (series + of_adams * static_cast<double>(passage.adams) +
-                    of_bdf * static_cast<double>(passage.bdf));
+  return epsilon *
+         (series + of_adams * static_cast<double>(passage.adams) + of_bdf * static_cast<double>(passage.bdf));
 }
 
 /// Adds the work of a flow.
