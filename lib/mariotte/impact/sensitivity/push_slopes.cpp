@@ -84,40 +84,43 @@ void PushSlopes<Topology>::fly(double duration, const SlopeMatrix& slopes) {
     }
 }
 
-/// δ̈ = −κ δⁿ: with the slopes of κ and of the start, S_δ = a δ̇ + b (δ + (n−1)/2 t δ̇) + κ_p t δ̇/(2κ).
 template <class Topology>
-bool PushSlopes<Topology>::follow_alone(const flow::Step& step, Index j, const SlopeMatrix& slopes) {
+std::optional<AloneStep> PushSlopes<Topology>::alone_step(const flow::Step& step, Index j) const {
   const auto& law = *power_law(model_.law[j]);
   const Topology topology{model_, layout_};
-  const double n = law.exponent, u = reach_[j].mobility, kappa = law.stiffness * u;
-  const double h = step.end - step.start;
-  const double depth = -step.before[layout_.gap[j]], last = -step.after[layout_.gap[j]];
-  if (law.damping != 0 || topology.drive(j) != 0 || depth < 0 || last < 0) return false;
-  const double rate = topology.approach(step.before, j), last_rate = topology.approach(step.after, j);
-  const double bend = -kappa * depth * contact::contact_width(n, depth);
-  const double last_bend = -kappa * last * contact::contact_width(n, last);
-  const double energy = 0.5 * (n + 1) * rate * rate - bend * depth;
-  const double impulse = (rate - last_rate) / u, travel = (depth + rate * h - last) / u;
-  if (!(energy > 0)) return false;
   for (const auto& slope : contact_[j].law)
-    if (slope.power.exponent != 0 || slope.power.damping != 0) return false;
+    if (slope.power.exponent != 0 || slope.power.damping != 0) return std::nullopt;
+  const AloneStep alone{.exponent = law.exponent,
+                        .kappa = law.stiffness * reach_[j].mobility,
+                        .duration = step.end - step.start,
+                        .depth = -step.before[layout_.gap[j]],
+                        .rate = topology.approach(step.before, j),
+                        .last_depth = -step.after[layout_.gap[j]],
+                        .last_rate = topology.approach(step.after, j)};
+  if (law.damping != 0 || topology.drive(j) != 0 || alone.depth < 0 || alone.last_depth < 0)
+    return std::nullopt;
+  return alone.energy() > 0 ? std::optional(alone) : std::nullopt;
+}
+
+template <class Topology>
+bool PushSlopes<Topology>::follow_alone(const flow::Step& step, Index j, const SlopeMatrix& slopes) {
+  const auto alone = alone_step(step, j);
+  if (!alone) return false;
+  const double h = alone->duration, rate = alone->rate, u = reach_[j].mobility;
+  const double impulse = (rate - alone->last_rate) / u;
+  const double travel = (alone->depth + rate * h - alone->last_depth) / u;
   fly(h, slopes);
   std::vector<double> by_mobility(slopes.columns), by_stiffness(slopes.columns);
   for (const auto& term : contact_[j].push)
     for (const auto& [v, g] : reach_[j].direction)
       if (v == number_[term.place]) by_mobility[term.column] += g * term.slope;
   for (const auto& slope : contact_[j].law) by_stiffness[slope.column] = slope.power.stiffness;
+  const double stiffness = power_law(model_.law[j])->stiffness;
   for (Index c = 0; c < slopes.columns; ++c) {
     if (along(j, acceleration_, c) != 0) return false;
     const double start_rate = -gap_rate(j, slopes, c), start_depth = -slopes(layout_.gap[j], c);
-    const double stretch = 0.5 * (by_stiffness[c] / law.stiffness + by_mobility[c] / u);
-    const double other = start_rate - rate * stretch;
-    const double a = (0.5 * (n + 1) * rate * start_depth - depth * other) / energy;
-    const double b = (rate * other - bend * start_depth) / energy;
-    const double end_depth =
-        a * last_rate + b * (last + 0.5 * (n - 1) * h * last_rate) + h * last_rate * stretch;
-    const double end_rate = a * last_bend + b * (0.5 * (n + 1) * last_rate + 0.5 * (n - 1) * h * last_bend) +
-                            (last_rate + h * last_bend) * stretch;
+    const double stretch = 0.5 * (by_stiffness[c] / stiffness + by_mobility[c] / u);
+    const auto [end_depth, end_rate] = alone->slopes(start_depth, start_rate, stretch);
     give(j, c, (start_rate - end_rate - by_mobility[c] * impulse) / u,
          (start_depth + h * start_rate - end_depth - by_mobility[c] * travel) / u);
   }

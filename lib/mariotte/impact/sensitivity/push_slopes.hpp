@@ -9,11 +9,13 @@
 // t δ̇/(2κ). Where the flow has expanded all contacts in power series, the slopes are such series, too: φ =
 // f_δ S_δ + f_δ̇ S_δ̇ + f_p costs one convolution per contact.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "mariotte/contact/contact_set.hpp"
 #include "mariotte/flow/flow.hpp"
+#include "mariotte/impact/sensitivity/alone_step.hpp"
 #include "mariotte/impact/sensitivity/contact_slope.hpp"
 #include "mariotte/impact/sensitivity/push_expansion.hpp"
 #include "mariotte/impact/sensitivity/slope_matrix.hpp"
@@ -46,6 +48,7 @@ class PushSlopes {
   };
 
   bool gather(const contact::ContactSet& mode);
+  std::optional<AloneStep> alone_step(const flow::Step& step, Index j) const;
   bool follow_alone(const flow::Step& step, Index j, const SlopeMatrix& slopes);
   bool follow_series(const flow::Step& step, SlopeMatrix& slopes);
   bool carry(flow::PushSeries& series, SlopeMatrix& slopes, int pieces);

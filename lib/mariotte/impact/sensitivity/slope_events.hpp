@@ -31,6 +31,27 @@ void SlopeLoop<System, Variation>::shift_clock(Observer& observer, ConstState ra
   }
 }
 
+/// Of the time of a guard.
+template <class System, class Variation>
+std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& observer, Index guard,
+                                                              ConstState rate, double time,
+                                                              SlopeRun<System>& result) {
+  const auto& problem = system_.problem(workspace_.mode);
+  const auto& x = workspace_.run.state;
+  const auto along = [&](ConstState dx) {
+    return variation_.guard_rate(problem, guard, x, dx, workspace_.mode);
+  };
+  std::vector<double> slopes(variation_.columns(), 0.0);
+  if (!has_time(guard)) return slopes;
+  const double crossing = along(rate);
+  variation_.guard_slopes(guard, x, workspace_.mode, slopes);
+  for (Index c = 0; c < variation_.columns(); ++c)
+    slopes[c] = -(slopes[c] + along(observer.slopes.column(c))) / crossing;
+  const double speed = variation_.crossing_speed(guard, crossing, workspace_.mode);
+  if (speed < slow) result.delicate.push_back({time, variation_.name(guard, workspace_.mode), speed});
+  return slopes;
+}
+
 /// Slopes of the times of guards that have fired.
 template <class System, class Variation>
 std::vector<std::vector<double>> SlopeLoop<System, Variation>::event_times(const Observer& observer,

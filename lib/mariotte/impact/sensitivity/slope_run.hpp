@@ -83,7 +83,15 @@ class SlopeLoop {
  private:
   using Observer = PhaseSlopes<Variation, typename System::Mode>;
 
+  void prepare(ConstState x0, SlopeRun<System>& result);
+  void begin(Observer& observer, const SlopeMatrix& start, SlopeRun<System>& result);
   void start_events(Observer& observer, SlopeRun<System>& result);
+  bool is_over(SlopeRun<System>& result);
+  flow::Arrival follow_phase(Observer& observer);
+  void stop(const flow::Arrival& arrival, SlopeRun<System>& result);
+  void end(hybrid::Ending ending, const std::string& message, SlopeRun<System>& result);
+  void pass_event(Observer& observer, SlopeRun<System>& result);
+  void take_slopes(Observer& observer, SlopeRun<System>& result);
   void pass(Observer& observer, const typename System::Mode& before, ConstState rate,
             SlopeRun<System>& result);
   std::vector<std::vector<double>> event_times(const Observer& observer, const std::vector<Index>& guards,
@@ -153,141 +161,14 @@ class SlopeLoop {
   double resolution_;
   const std::function<void()>& watch_;
   hybrid::Workspace<System> workspace_;
+  CompensatedSum time_;
   std::vector<Index> telling_;  ///< guards that tell when the event happens
   std::vector<double> shift_;   ///< Σ τ_p by parameter, where events reset
   std::vector<double> reach_;   ///< largest slopes at an event by parameter
 };
 
-template <class System, class Variation>
-std::vector<double> SlopeLoop<System, Variation>::time_slopes(const Observer& observer, Index guard,
-                                                              ConstState rate, double time,
-                                                              SlopeRun<System>& result) {
-  const auto& problem = system_.problem(workspace_.mode);
-  const auto& x = workspace_.run.state;
-  const auto along = [&](ConstState dx) {
-    return variation_.guard_rate(problem, guard, x, dx, workspace_.mode);
-  };
-  std::vector<double> slopes(variation_.columns(), 0.0);
-  if (!has_time(guard)) return slopes;
-  const double crossing = along(rate);
-  variation_.guard_slopes(guard, x, workspace_.mode, slopes);
-  for (Index c = 0; c < variation_.columns(); ++c)
-    slopes[c] = -(slopes[c] + along(observer.slopes.column(c))) / crossing;
-  const double speed = variation_.crossing_speed(guard, crossing, workspace_.mode);
-  if (speed < slow) result.delicate.push_back({time, variation_.name(guard, workspace_.mode), speed});
-  return slopes;
-}
-
-/// Contacts that touch at the start close there: they would close later with a larger gap.
-template <class System, class Variation>
-void SlopeLoop<System, Variation>::start_events(Observer& observer, SlopeRun<System>& result) {
-  auto closed = workspace_.mode;
-  bool first = true;
-  for (const Index guard : variation_.guards_at_start(closed, workspace_.run.state)) {
-    auto open = closed;
-    variation_.open_at_start(open, guard);
-    const auto after = rates(closed);
-    workspace_.mode = open;
-    const auto before = rates(workspace_.mode);
-    if (!resets && before == after &&
-        !sets_clock(guard, before)) {  // no force jumps, however slowly it closes
-      workspace_.mode = closed;
-      continue;
-    }
-    const auto tau = time_slopes(observer, guard, before, 0, result);
-    for (Index c = 0; c < variation_.columns(); ++c)
-      for (std::size_t r = 0; r < before.size(); ++r)
-        observer.slopes(r, c) += (before[r] - after[r]) * tau[c];
-    const bool sets = sets_clock(guard, before);
-    workspace_.mode = closed;
-    if (first && (resets || sets)) shift_clock(observer, after, tau);
-    first = false;
-  }
-}
-
-template <class System, class Variation>
-SlopeRun<System> SlopeLoop<System, Variation>::follow(ConstState x0, const SlopeMatrix& start) {
-  using hybrid::Ending;
-  SlopeRun<System> result;
-  auto& mode = workspace_.mode;
-  auto& changes = workspace_.changes;
-  const auto& fired = workspace_.fired;
-  auto& run = workspace_.run;
-  run.state.assign(x0.begin(), x0.end());
-  result.time.assign(variation_.columns(), 0.0);
-  result.time_is_shared.assign(variation_.columns(), false);
-  shift_.assign(variation_.columns(), 0.0);
-  reach_.assign(variation_.columns(), 0.0);
-  CompensatedSum time;
-  const auto end = [&](Ending ending, std::string message = {}) {
-    result.run.ending = ending;
-    result.run.message = std::move(message);
-    result.run.time = time.value();
-    result.run.state = run.state;
-    result.mode = mode;
-    result.rate = rates(mode);
-  };
-
-  system_.mode_at(run.state, mode, changes);
-  Observer observer(system_.problem(mode), variation_, mode, resolution_, watch_);
-  observer.slopes = with_rows(start, std::ssize(run.state));
-  start_events(observer, result);
-  if constexpr (resets) {
-    variation_.start(mode, run.state, observer.slopes);
-    variation_.begin({}, mode, run.state, observer.slopes);
-  }
-  for (;;) {
-    hybrid::record(result.run, time.value(), changes);
-    if (system_.is_over(mode, run.state, result.run.events > 0)) {
-      system_.finish(mode, changes);
-      hybrid::record(result.run, time.value(), changes);
-      end(system_.ending(mode));
-      break;
-    }
-    if (result.run.events >= options_.max_events) {
-      end(Ending::event_limit);
-      break;
-    }
-    observer.end_phase();
-    if constexpr (resets) {
-      system_.problem(mode);
-      observer.fit();
-    }
-    const auto arrival =  // its observer never gives it up
-        hybrid::follow_phase(system_, options_, workspace_, time, &observer).value();
-    if (arrival.outcome != flow::Outcome::guard) {
-      if (arrival.outcome == flow::Outcome::limit) {
-        result.time.assign(variation_.columns(), 0.0);
-        result.time_is_noise = false;
-        result.time_loss = 0;
-        result.time_is_shared.assign(variation_.columns(), false);
-        end(Ending::time_limit);
-      } else {
-        end(arrival.outcome == flow::Outcome::never ? Ending::separated : Ending::failed, arrival.message);
-      }
-      break;
-    }
-    result.run.time = time.value();
-    const auto before = mode;
-    telling_ = telling(before);
-    for (const Index guard : telling_) variation_.settle(guard, before, run.state);
-    pass(observer, before, rates(mode), result);
-    note_reach(observer);
-    system_.transition(mode, fired, run.state, changes);
-  }
-  result.run.flows = run.flows;
-  constexpr double reserve = 1000;  // runs with slopes are a hundred times as exact as is asked
-  const double unresolved = observer.unresolved();
-  if (unresolved > reserve * options_.accuracy) result.unresolved = unresolved;
-  for (Index c = 0; c < variation_.columns(); ++c)
-    if (shift_[c] != 0)
-      for (std::size_t r = 0; r < result.rate.size(); ++r)
-        observer.slopes(r, c) -= result.rate[r] * shift_[c];
-  result.slopes = std::move(observer.slopes);
-  result.shrinkage = shrinkage(result.slopes);
-  return result;
-}
-
 }  // namespace mariotte::impact
 
-#include "mariotte/impact/sensitivity/slope_events.hpp"  // the other members of the template
+// the members of the template
+#include "mariotte/impact/sensitivity/slope_events.hpp"
+#include "mariotte/impact/sensitivity/slope_follow.hpp"
