@@ -71,11 +71,30 @@ T BodiesPhase<D>::load_guard(const BodiesField<T, D, N>& field, const ClosedCont
   return mode.slack ? load : load + load_noise<T>(one.law, setting_.rest_speed());
 }
 
+/// Of closed contact i.
+template <int D>
+template <class T, class N>
+void BodiesPhase<D>::slot_guards(const BodiesField<T, D, N>& field, std::size_t i,
+                                 std::span<T> values) const {
+  const auto& one = mode_->closed[i];
+  const auto& c = field.contact(i);
+  const auto set = [&](SlotGuard guard, const T& value) { values[slot_guard(one.slot, guard)] = value; };
+  const auto& law = setting_.contact[one.contact].law;
+  const double noise = setting_.slip_noise * setting_.speed;
+  // While it is pressed steps may be shorter than rounding of its gap; but series follow the gap itself.
+  const double noise_of_onset = is_recorded<T> || one.unloading ? 0 : one.gap_noise;
+  set(SlotGuard::open, c.motion.gap + opening_depth(law, one.past) - noise_of_onset);
+  set(SlotGuard::friction, friction_guard(field, one, c));
+  set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
+  set(SlotGuard::load, load_guard(field, one, c));
+  if (crossing_[slot_guard(one.slot, SlotGuard::yield)] != Crossing::none)
+    set(SlotGuard::yield, c.motion.gap + yield_depth(law, one.past));
+}
+
 template <int D>
 template <class T, class N>
 void BodiesPhase<D>::guards_of(const BodiesField<T, D, N>& field, std::span<T> values) const {
   std::fill(values.begin(), values.end(), T(1.0));
-  const double noise = setting_.slip_noise * setting_.speed;
   for (Index k = 0; k < watched_count(); ++k) {
     if (crossing_[gap_guard(k)] == Crossing::none || (is_recorded<T> && is_far_[k])) continue;
     values[gap_guard(k)] = field.approach(watched(k)).gap + closing_depth(watched(k));
@@ -86,20 +105,7 @@ void BodiesPhase<D>::guards_of(const BodiesField<T, D, N>& field, std::span<T> v
     const auto gone = field.body(i).shift - lift<T>(vec_at<D>(ConstState(mode_->from), D * i));
     values[stray_guard(i)] = 0.25 * setting_.skin * setting_.skin - dot(gone, gone);
   }
-  for (std::size_t i = 0; i < mode_->closed.size(); ++i) {
-    const auto& one = mode_->closed[i];
-    const auto& c = field.contact(i);
-    const auto set = [&](SlotGuard guard, const T& value) { values[slot_guard(one.slot, guard)] = value; };
-    const auto& law = setting_.contact[one.contact].law;
-    // While it is pressed steps may be shorter than rounding of its gap; but series follow the gap itself.
-    const double noise_of_onset = is_recorded<T> || one.unloading ? 0 : one.gap_noise;
-    set(SlotGuard::open, c.motion.gap + opening_depth(law, one.past) - noise_of_onset);
-    set(SlotGuard::friction, friction_guard(field, one, c));
-    set(SlotGuard::turn, -c.motion.gap_rate + (one.unloading ? -noise : noise));
-    set(SlotGuard::load, load_guard(field, one, c));
-    if (crossing_[slot_guard(one.slot, SlotGuard::yield)] != Crossing::none)
-      set(SlotGuard::yield, c.motion.gap + yield_depth(law, one.past));
-  }
+  for (std::size_t i = 0; i < mode_->closed.size(); ++i) slot_guards(field, i, values);
   for (Index k = 0; k < std::ssize(mode_->touching); ++k) {
     const Index c = mode_->touching[k];
     const double depth = setting_.gap_noise * setting_.contact[c].length;

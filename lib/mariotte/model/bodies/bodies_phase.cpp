@@ -55,43 +55,60 @@ void BodiesPhase<D>::bind(const BodiesMode& mode) {
   mode_ = &mode;
   entries_.clear();
   layout_.slots = std::ssize(mode.idle) + std::ssize(mode.closed);
-  watches_near_ = watches_near(setting_, mode);
-  strays_ = watches_near_ ? layout_.bodies : 0;
-  escapes_ = mode.closed.empty() && !free_flight_ ? watched_count() : 0;
-  crossing_.assign(guard_count(), Crossing::none);
   set_magnitudes(setting_, layout_, mode, magnitude_);
   // Without gravity what touches at rest stays so while nothing pushes.
   at_peace_ = mode.touching.empty() || norm(setting_.gravity) == 0;
   ballistic_ = mode.closed.empty() && at_peace_ && free_flight_;
-  time_ = mode.closed.empty() ? setting_.time : infinity;
-  damping_ = 0;
-  trial_steps_ = flow::Problem::trial_steps();
   steps_at_rest_ = 0;
+  set_crossings();
+  set_stiffness();
+  recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),
+                                                    [&](const auto& one) { return can_be_recorded(one); });
+  find_balls();
+}
+
+template <int D>
+void BodiesPhase<D>::set_crossings() {
+  watches_near_ = watches_near(setting_, *mode_);
+  strays_ = watches_near_ ? layout_.bodies : 0;
+  escapes_ = mode_->closed.empty() && !free_flight_ ? watched_count() : 0;
+  crossing_.assign(guard_count(), Crossing::none);
   std::fill_n(crossing_.begin() + gap_guard(0), watched_count(), Crossing::falling);
   for (Index i = 0; i < strays_; ++i) crossing_[stray_guard(i)] = Crossing::falling;
   for (Index k = 0; k < escapes_; ++k) crossing_[escape_guard(k)] = Crossing::rising;
-  for (const auto& one : mode.closed) {
+  for (Index k = 0; k < std::ssize(mode_->touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
+  for (const auto& one : mode_->closed) set_crossings(one);
+}
+
+/// Of a closed contact.
+template <int D>
+void BodiesPhase<D>::set_crossings(const ClosedContact& one) {
+  const auto& law = setting_.contact[one.contact].law;
+  const auto set = [&](SlotGuard guard, Crossing way) { crossing_[slot_guard(one.slot, guard)] = way; };
+  set(SlotGuard::open, Crossing::rising);
+  if (const Index k = place_watched(one.contact); k >= 0) crossing_[gap_guard(k)] = Crossing::none;
+  if (one.friction != Friction::none && !one.slack && !one.from_rest)
+    set(SlotGuard::friction, Crossing::falling);
+  set(SlotGuard::turn, one.unloading ? Crossing::rising : Crossing::falling);
+  if (contact::goes_slack(law) || contact::pulls(law))
+    set(SlotGuard::load, one.slack ? Crossing::rising : Crossing::falling);
+  if (one.past.branch != contact::Branch::plastic && !one.unloading && yield_depth(law, one.past) < infinity)
+    set(SlotGuard::yield, Crossing::falling);
+}
+
+/// Natural time, damping, and how long an explicit flow may try.
+template <int D>
+void BodiesPhase<D>::set_stiffness() {
+  time_ = mode_->closed.empty() ? setting_.time : infinity;
+  damping_ = 0;
+  trial_steps_ = flow::Problem::trial_steps();
+  for (const auto& one : mode_->closed) {
     const auto& contact = setting_.contact[one.contact];
-    const auto set = [&](SlotGuard guard, Crossing way) { crossing_[slot_guard(one.slot, guard)] = way; };
-    set(SlotGuard::open, Crossing::rising);
-    if (const Index k = place_watched(one.contact); k >= 0) crossing_[gap_guard(k)] = Crossing::none;
-    if (one.friction != Friction::none && !one.slack && !one.from_rest)
-      set(SlotGuard::friction, Crossing::falling);
-    set(SlotGuard::turn, one.unloading ? Crossing::rising : Crossing::falling);
-    if (contact::goes_slack(contact.law) || contact::pulls(contact.law))
-      set(SlotGuard::load, one.slack ? Crossing::rising : Crossing::falling);
-    if (one.past.branch != contact::Branch::plastic && !one.unloading &&
-        yield_depth(contact.law, one.past) < infinity)
-      set(SlotGuard::yield, Crossing::falling);
     time_ = std::min(time_, contact.time);
     const bool turns_at_once = one.from_rest || yields_in_space(one, contact, TangentialLaw::spring);
     damping_ = std::max({damping_, damping_of(contact), turns_at_once ? stiff_turning : 0});
     if (yields_in_space(one, contact, TangentialLaw::mindlin)) trial_steps_ = steps_to_see_turns;
   }
-  for (Index k = 0; k < std::ssize(mode.touching); ++k) crossing_[parting_guard(k)] = Crossing::rising;
-  recordable_ = !mode.closed.empty() && std::all_of(mode.closed.begin(), mode.closed.end(),
-                                                    [&](const auto& one) { return can_be_recorded(one); });
-  find_balls();
 }
 
 template <int D>

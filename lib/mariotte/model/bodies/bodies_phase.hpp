@@ -16,6 +16,9 @@
 
 namespace mariotte::model {
 
+template <int D>
+struct Approach;
+
 /// D = 2 or 3. Guards: five of each slot, the gap of each contact that is watched, the parting of those that
 /// touch at rest, then how far bodies have gone since near pairs were listed.
 template <int D>
@@ -64,6 +67,8 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
 
   /// Guards where a field of this mode has been evaluated.
   template <class T, class N>
+  void slot_guards(const BodiesField<T, D, N>& field, std::size_t i, std::span<T> values) const;
+  template <class T, class N>
   void guards_of(const BodiesField<T, D, N>& field, std::span<T> values) const;
   Index slot_guard(Index slot, SlotGuard guard) const {
     return slot * guards_per_slot + static_cast<Index>(guard);
@@ -96,8 +101,10 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   template <class T, class N>
   T load_guard(const BodiesField<T, D, N>& field, const ClosedContact& mode,
                const ContactForces<T, D>& c) const;
-  struct Approach;
-  Approach approach(ConstState x, Index contact) const;
+  Approach<D> approach(ConstState x, Index contact) const;
+  double open_gap(const Approach<D>& both, Index contact) const;
+  double swinging_meeting(ConstState x, const Approach<D>& both, Index contact, double gap,
+                          double limit) const;
   double meeting(ConstState x, Index contact, double limit) const;
   bool drifts(ConstState x, Index contact) const;
   /// Depth at which a contact that is open closes.
@@ -106,11 +113,13 @@ class BodiesPhase final : public flow::Problem, public flow::FreeMotion, public 
   }
   /// Beyond it spheres about the mass centres, which hold both bodies, are apart.
   double escape_gap(Index contact) const;
-  double gap_bend(const BodyMotion<double, D>& body, Index i, const SettingSphere<D>& sphere) const;
   bool can_be_recorded(const ClosedContact& mode) const;
   bool is_stuck_at_the_end(ConstState x) const;
   void weigh_direction(std::size_t closed);
   flow::Accepted leave_rest(std::size_t closed);
+  void set_crossings();
+  void set_crossings(const ClosedContact& one);
+  void set_stiffness();
   void find_balls();
   void find_far(ConstState x, bool all) const;
   void find_followed() const;
