@@ -56,41 +56,56 @@ class CaptureGuess {
   bool above_ = false;
 };
 
-/// From `guess` by factors of two, then until the bracket is `tolerance` wide, relative to its speed.
-/// `rebound_at(speed)` is a ReboundSpeed.
+/// Runs at speeds, and what they have told.
+template <class Rebound>
+class CaptureRuns {
+ public:
+  explicit CaptureRuns(Rebound& rebound_at) : rebound_at_(rebound_at) {}
+
+  bool is_captured(double speed) {
+    ++count;
+    const ReboundSpeed last = rebound_at_(speed);
+    blur = last.blur() / speed;
+    if (last.speed != 0) ahead.add(speed, last.speed * last.speed);
+    return last.speed == 0;
+  }
+
+  CaptureGuess ahead;
+  double blur = 0;
+  int count = 0;
+
+ private:
+  Rebound& rebound_at_;
+};
+
+/// From `guess` by factors of two; empty if all of them end alike.
+template <class Rebound>
+std::optional<CaptureVelocity> double_until_other(CaptureRuns<Rebound>& runs, double guess) {
+  constexpr int most_doublings = 20;
+  const bool start = runs.is_captured(guess);
+  double near = guess;
+  for (int i = 0; i < most_doublings; ++i) {
+    const double next = start ? 2 * near : 0.5 * near;
+    if (runs.is_captured(next) != start)
+      return CaptureVelocity{.captured = start ? near : next, .separated = start ? next : near};
+    near = next;
+  }
+  return std::nullopt;
+}
+
+/// From `guess`, then until the bracket is `tolerance` wide, relative to its speed. `rebound_at(speed)` is a
+/// ReboundSpeed.
 template <class Rebound>
 std::optional<CaptureVelocity> bracket_capture(Rebound&& rebound_at, double guess, double tolerance) {
-  constexpr int most_doublings = 20;
-  CaptureVelocity found;
-  CaptureGuess ahead;
-  double rebound = 0, blur = 0;
-  const auto is_captured = [&](double speed) {
-    ++found.runs;
-    const ReboundSpeed last = rebound_at(speed);
-    rebound = last.speed;
-    blur = last.blur() / speed;
-    return rebound == 0;
-  };
-  const bool start = is_captured(guess);
-  if (!start) ahead.add(guess, rebound * rebound);
-  double near = guess, far = guess;
-  for (int i = 0; far == near; ++i) {
-    if (i == most_doublings) return std::nullopt;
-    const double next = start ? 2 * near : 0.5 * near;
-    if (is_captured(next) == start)
-      near = far = next;
-    else
-      far = next;
-    if (rebound != 0) ahead.add(next, rebound * rebound);
+  CaptureRuns runs(rebound_at);
+  auto found = double_until_other(runs, guess);
+  if (!found) return found;
+  while (found->separated - found->captured > std::max(tolerance * found->value(), runs.blur)) {
+    const double speed = runs.ahead.next(*found, tolerance);
+    if (speed <= found->captured || speed >= found->separated) break;  // neighbours as numbers
+    (runs.is_captured(speed) ? found->captured : found->separated) = speed;
   }
-  found.captured = start ? near : far;
-  found.separated = start ? far : near;
-  while (found.separated - found.captured > std::max(tolerance * found.value(), blur)) {
-    const double speed = ahead.next(found, tolerance);
-    if (speed <= found.captured || speed >= found.separated) break;  // the two are neighbours as numbers
-    (is_captured(speed) ? found.captured : found.separated) = speed;
-    if (rebound != 0) ahead.add(speed, rebound * rebound);
-  }
+  found->runs = runs.count;
   return found;
 }
 

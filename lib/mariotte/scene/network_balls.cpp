@@ -151,32 +151,35 @@ void warn_of_missed_meetings(Source& source, const PlacedBalls& balls, double re
              " fly towards each other from beyond 'reach', and will pass through each other");
 }
 
-}  // namespace
-
-ResolvedNetwork read_ball_network(Source& source, const Field& network, bool precompressed) {
-  const LawTables tables{network, {}};
+/// What a table of balls says of itself.
+struct BallNetwork {
   PlacedBalls balls;
   double touching = 0, reach = 0;
+};
+
+BallNetwork read_balls(Source& source, const Field& network, const LawTables& tables) {
+  BallNetwork read;
   ErrorList errors;
   errors.attempt([&] { expect_keys(source, network, network_of_balls_keys); });
   const bool one_law =
       errors.attempt([&] { expect_no_lists(source, network, law_keys, "for all contacts of balls"); });
-  errors.attempt([&] { touching = read_distance(source, network, "touching", 0); });
-  if (!errors.attempt([&] { balls = read_placed(source, network); }) && one_law)
+  errors.attempt([&] { read.touching = read_distance(source, network, "touching", 0); });
+  if (!errors.attempt([&] { read.balls = read_placed(source, network); }) && one_law)
     errors.attempt([&] { check_laws(source, tables, 1); });
   errors.attempt(
-      [&] { reach = read_distance(source, network, "reach", 0.01 * smallest_radius(balls.ball)); });
+      [&] { read.reach = read_distance(source, network, "reach", 0.01 * smallest_radius(read.balls.ball)); });
   errors.raise();
-  ResolvedNetwork resolved{.network = model::free_balls(balls.ball), .radius = {}};
-  auto& model = resolved.network;
-  model.precompressed = precompressed;
-  read_drives(source, network, model);
+  return read;
+}
+
+/// Contacts of balls that touch or are near each other.
+Pairs add_contacts(Source& source, const BallNetwork& read, model::Network& model) {
+  const auto& [balls, touching, reach] = read;
   Pairs pairs;
-  for (const auto& ball : balls.ball) resolved.radius.push_back(ball.radius);
   for (const auto& [i, j] : model::near_pairs(balls.ball, std::max(reach, touching))) {
     auto [direction, gap, distance] = contact_of(source, balls, i, j, touching, reach);
     if (direction.empty()) continue;
-    if (gap < 0 && !precompressed)
+    if (gap < 0 && !model.precompressed)
       reject(source, balls.table[j], fault::overlap,
              "balls " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
                  " overlap ('touching' is the distance taken as none; precompressed = true allows overlaps)");
@@ -185,12 +188,27 @@ ResolvedNetwork read_ball_network(Source& source, const Field& network, bool pre
     model.gap.push_back(gap);
     model.distance.push_back(distance);
   }
+  return pairs;
+}
+
+}  // namespace
+
+ResolvedNetwork read_ball_network(Source& source, const Field& network, bool precompressed) {
+  const LawTables tables{network, {}};
+  auto read = read_balls(source, network, tables);
+  auto& balls = read.balls;
+  ResolvedNetwork resolved{.network = model::free_balls(balls.ball), .radius = {}};
+  auto& model = resolved.network;
+  model.precompressed = precompressed;
+  read_drives(source, network, model);
+  const auto pairs = add_contacts(source, read, model);
   read_laws(source, tables, balls, pairs, model);
+  for (const auto& ball : balls.ball) resolved.radius.push_back(ball.radius);
   for (const auto& [i, j] : pairs) resolved.touching.push_back(scene::touching(balls.body[i], balls.body[j]));
-  warn_of_missed_meetings(source, balls, reach);
+  warn_of_missed_meetings(source, balls, read.reach);
   if (model.law.empty()) reject_lonely(source, network, balls.ball);
   resolved.ball = std::move(balls.ball);
-  resolved.reach = reach;
+  resolved.reach = read.reach;
   return resolved;
 }
 

@@ -80,49 +80,25 @@ class Cvode final : public Flow {
   }
   Arrival follow(Problem& problem, State x, const Request& request, std::vector<Index>& fired) override {
     restart(problem, x, request);
-    StepOf step([this](double time, State there) {  // CVODE's own interpolating polynomial
+    const auto dense = [this](double time, State there) {  // CVODE's own interpolating polynomial
       CVodeGetDky(cvode_.get(), time, 0, dense_.get());
       const auto values = view(dense_.get());
       std::copy(values.begin(), values.end(), there.begin());
-    });
+    };
+    StepOf step(dense);
     Index stalled = 0;
     for (Index count = 0; count < most_steps_of_phase && stalled < stall_limit; ++count) {
       step.start = step.end;
       const int code =
           CVode(cvode_.get(), step.start + problem.time_scale(), state_.get(), &step.end, CV_ONE_STEP);
       if (code < 0) return fail(code, step.start, x);
-      auto outcome = code == CV_ROOT_RETURN ? std::optional(Outcome::guard) : std::nullopt;
-      if (step.end >= request.limit) {
-        move_to(step.end = request.limit);
-        outcome = Outcome::limit;
-      }
-      step.before = before_;
-      step.after = view(state_.get());
-      if (const auto hidden = certificate_.examine(problem, step)) {
-        move_to(step.end = hidden->time);
-        fired.push_back(hidden->guard);
-        outcome = Outcome::guard;
-      } else if (outcome == Outcome::guard) {
-        append_roots(fired);
-      }
-      if (request.observer) request.observer->observe(step);
-      if (outcome == Outcome::guard)
-        simultaneous_.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
-      const auto accepted = problem.accept(step.after);
-      if (accepted == Accepted::rewatched) certificate_.begin(problem, step.after);
-      if (accepted == Accepted::ended && !outcome) outcome = Outcome::guard;
+      auto outcome = find_end(code, step, request, fired);
+      accept(step, request, outcome, fired);
       if (outcome) return finish(*outcome, step.end, x);
       before_.assign(step.after.begin(), step.after.end());
       if (count % refusals_counted == 0) ease(count, request.accuracy);
       stalled += step.end - step.start <= 2 * epsilon * step.end;
-      if (count == trial && step.end < trial * request.least_step) return finish(Outcome::stiff, step.end, x);
-      // a slip in space of two tips that friction holds near zero is stiff, whatever the damping
-      const bool is_long = count == std::min(request.most_steps, problem.trial_steps());
-      if (is_long && kind_ == Kind::cvode_adams && !request.patient) {
-        auto arrival = finish(Outcome::stiff, step.end, x);
-        arrival.resumable = true;
-        return arrival;
-      }
+      if (auto arrival = give_way(count, step.end, request, x)) return *arrival;
     }
     auto arrival = fail(stalled == stall_limit ? "the step has shrunk to nothing" : exhaustion, step.end, x);
     arrival.exhausted = stalled < stall_limit;
@@ -202,6 +178,44 @@ class Cvode final : public Flow {
     check(CVodeSetRootDirection(cvode_.get(), roots_.data()), "the directions of the guards");
     before_.assign(x.begin(), x.end());
     certificate_.begin(next, x);
+  }
+  /// What ends the step: a guard, also one that CVODE has passed over, or the limit.
+  std::optional<Outcome> find_end(int code, flow::Step& step, const Request& request,
+                                  std::vector<Index>& fired) {
+    auto outcome = code == CV_ROOT_RETURN ? std::optional(Outcome::guard) : std::nullopt;
+    if (step.end >= request.limit) {
+      move_to(step.end = request.limit);
+      outcome = Outcome::limit;
+    }
+    step.before = before_;
+    step.after = view(state_.get());
+    if (const auto hidden = certificate_.examine(*problem_, step)) {
+      move_to(step.end = hidden->time);
+      fired.push_back(hidden->guard);
+      return Outcome::guard;
+    }
+    if (outcome == Outcome::guard) append_roots(fired);
+    return outcome;
+  }
+  void accept(const flow::Step& step, const Request& request, std::optional<Outcome>& outcome,
+              std::vector<Index>& fired) {
+    auto& problem = *problem_;
+    if (request.observer) request.observer->observe(step);
+    if (outcome == Outcome::guard)
+      simultaneous_.collect(problem, step.after, simultaneity_window(problem, request.accuracy), fired);
+    const auto accepted = problem.accept(step.after);
+    if (accepted == Accepted::rewatched) certificate_.begin(problem, step.after);
+    if (accepted == Accepted::ended && !outcome) outcome = Outcome::guard;
+  }
+  /// To another flow, which may be quicker. A slip in space of two tips that friction holds near zero is
+  /// stiff, whatever the damping.
+  std::optional<Arrival> give_way(Index count, double time, const Request& request, State x) {
+    if (count == trial && time < trial * request.least_step) return finish(Outcome::stiff, time, x);
+    const bool is_long = count == std::min(request.most_steps, problem_->trial_steps());
+    if (!is_long || kind_ != Kind::cvode_adams || request.patient) return std::nullopt;
+    auto arrival = finish(Outcome::stiff, time, x);
+    arrival.resumable = true;
+    return arrival;
   }
   void ease(Index steps, double accuracy) {
     long inexact = 0, unsolved = 0;

@@ -60,9 +60,19 @@ class Taylor final : public Flow {
 
  private:
   taylor::Stepper stepper_;
+  Index steps_ = 0;
   Simultaneous simultaneous_;
   std::vector<double> before_, after_;
   taylor::Values scratch_;
+
+  std::optional<Arrival> step(Problem& problem, State x, const Request& request, taylor::Fall& fall,
+                              std::vector<Index>& fired);
+
+  Arrival stop(State x, Outcome outcome, std::string message = {}) const {
+    const auto& w = stepper_.window;
+    write(w, x);
+    return {outcome, w.time, steps_, steps_, std::move(message)};
+  }
 
   void show(const Piece& piece, StepObserver& observer) {
     const auto& window = stepper_.window;
@@ -130,42 +140,42 @@ Arrival Taylor::follow(Problem& problem, State x, const Request& request, std::v
   const auto& w = stepper_.window;
   auto precision = taylor::precision(resolving_accuracy(problem, request.accuracy, 0));
   precision.has_slopes = request.observer && request.observer->has_slopes();
-  Index steps = 0;
-  const auto stop = [&](Outcome outcome, std::string message = {}) {
-    write(w, x);
-    return Arrival{outcome, w.time, steps, steps, std::move(message)};
-  };
   stepper_.stride = 0.1 * problem.time_scale();
   stepper_.begin(problem, x, 0, precision);
-  while (steps < most_steps_of_phase) {
-    auto piece = stepper_.next(steps == 0, std::min(request.limit, w.outside_time) - w.time);
-    const auto fall = stepper_.first_fall(piece);
-    const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
-    if (!(piece.end > 0) && !ends) return stop(Outcome::failed, "the series does not converge");
-    ++steps;
-    advance(piece, request);
-    if (!is_finite(w)) return stop(Outcome::failed, "a velocity is not finite");
-    if (stepper_.is_late()) return stop(Outcome::failed, "a contact was left out for too long");
-
-    const bool cut = fall.guard < 0 && piece.is_cut;
-    if (cut && request.limit <= w.outside_time) return stop(Outcome::limit);
-    if ((fall.guard >= 0 || cut) && !passes(problem, fall, request)) {
-      finish(problem, fall, request.accuracy, x, fired);
-      return Arrival{Outcome::guard, w.time, steps, steps, {}};
-    }
-    if (accept(problem) == Accepted::ended) return stop(Outcome::guard);
-    if (w.lanes.damped && steps >= (request.patient ? patience : request.most_steps)) {
-      auto arrival = stop(Outcome::stiff);
-      arrival.resumable = !request.patient;
-      return arrival;
-    }
+  for (steps_ = 0; steps_ < most_steps_of_phase;) {
+    taylor::Fall fall;
+    if (auto arrival = step(problem, x, request, fall, fired)) return *arrival;
     if (has_outgrown(w) || (fall.guard >= 0 && has_shrunk(w))) {
       write(w, x);
       stepper_.begin(problem, x, w.time, precision);
     }
   }
-  auto arrival = stop(Outcome::failed, exhaustion);
+  auto arrival = stop(x, Outcome::failed, exhaustion);
   arrival.exhausted = true;
+  return arrival;
+}
+
+std::optional<Arrival> Taylor::step(Problem& problem, State x, const Request& request, taylor::Fall& fall,
+                                    std::vector<Index>& fired) {
+  const auto& w = stepper_.window;
+  auto piece = stepper_.next(steps_ == 0, std::min(request.limit, w.outside_time) - w.time);
+  fall = stepper_.first_fall(piece);
+  const bool ends = fall.guard >= 0 || piece.is_cut;  // perhaps at once: a contact at zero that parts
+  if (!(piece.end > 0) && !ends) return stop(x, Outcome::failed, "the series does not converge");
+  ++steps_;
+  advance(piece, request);
+  if (!is_finite(w)) return stop(x, Outcome::failed, "a velocity is not finite");
+  if (stepper_.is_late()) return stop(x, Outcome::failed, "a contact was left out for too long");
+  const bool cut = fall.guard < 0 && piece.is_cut;
+  if (cut && request.limit <= w.outside_time) return stop(x, Outcome::limit);
+  if (ends && !passes(problem, fall, request)) {
+    finish(problem, fall, request.accuracy, x, fired);
+    return Arrival{Outcome::guard, w.time, steps_, steps_, {}};
+  }
+  if (accept(problem) == Accepted::ended) return stop(x, Outcome::guard);
+  if (!w.lanes.damped || steps_ < (request.patient ? patience : request.most_steps)) return std::nullopt;
+  auto arrival = stop(x, Outcome::stiff);
+  arrival.resumable = !request.patient;
   return arrival;
 }
 

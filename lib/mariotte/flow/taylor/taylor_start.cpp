@@ -106,13 +106,13 @@ double Start::margin(int lane, double time, const Travel& travel) const {
   return 0;
 }
 
-void Start::evaluate(double time, Values& values) const {
-  const auto& l = *lanes_;
+/// Impulses, and their integrals.
+void Start::sweep(double time, Values& values) const {
   const double half = std::sqrt(time), quarter = std::sqrt(half), square = time * time;
   const double z = pressed_ ? time * quarter : square * half;
   const auto& integral = pressed_ ? with_pressed : all_struck;
-  swept_.assign(l.count, 0);
-  for (int j = 0; j < l.count; ++j) {
+  swept_.assign(lanes_->count, 0);
+  for (int j = 0; j < lanes_->count; ++j) {
     values.impulse[j] = 0;
     if (lane_[j].part == Part::passive) continue;
     const bool struck = lane_[j].part == Part::struck;
@@ -128,6 +128,11 @@ void Start::evaluate(double time, Values& values) const {
     values.impulse[j] = size * p;
     swept_[j] = time * size * q;
   }
+}
+
+void Start::evaluate(double time, Values& values) const {
+  const auto& l = *lanes_;
+  sweep(time, values);
   for (int j = 0; j < l.count; ++j) {
     Travel travel;
     for_each_felt(l, j, [&](int other, double weight) {

@@ -46,6 +46,7 @@ class Start {
   bool pressed_ = false;
   double power_ = 1.25;  ///< of z in t
   std::vector<Lane> lane_;
+  void sweep(double time, Values& values) const;
   mutable std::vector<double> swept_;  ///< ∫∫ f dt dt, while a place is evaluated
 };
 

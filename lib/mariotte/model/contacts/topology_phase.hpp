@@ -72,6 +72,8 @@ class TopologyPhase final : public ContactPhase {
   bool watches_turns(Index j) const { return at().branch_guard[j] != ContactLayout::absent; }
   contact::Memory past(Index j) const { return memory_of(*mode_, j); }
   bool has_impulse(Index j) const { return at().impulse[j] != ContactLayout::absent; }
+  void add_drives(std::vector<flow::Entry>& pattern) const;
+  void drive_slopes(ConstState x, State values) const;
   bool is_held(ConstState x) const;
   double clear_load(ConstState x, Index j) const;
   contact::Force load(ConstState x, Index j) const {

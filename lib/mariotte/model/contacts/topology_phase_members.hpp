@@ -223,6 +223,13 @@ std::vector<flow::Entry> TopologyPhase<Topology>::pattern() const {
     if (has_impulse(j)) force_on(at().impulse[j]);
     if (has_work(j)) force_on(at().work[j]);
   }
+  add_drives(pattern);
+  return pattern;
+}
+
+/// Places of what drives move and of their work.
+template <class Topology>
+void TopologyPhase<Topology>::add_drives(std::vector<flow::Entry>& pattern) const {
   const Index clock = at().clock;
   for (Index k = 0; k < at().drives(); ++k) {
     const auto& drive = topology_.model.drive[k];
@@ -238,7 +245,6 @@ std::vector<flow::Entry> TopologyPhase<Topology>::pattern() const {
     pattern.push_back({work, at().gap[j]});
     topology_.for_each_direction(j, [&](Index other, double) { pattern.push_back({work, other}); });
   });
-  return pattern;
 }
 
 template <class Topology>
@@ -257,6 +263,13 @@ void TopologyPhase<Topology>::jacobian(ConstState x, State values) const {
     if (has_impulse(j)) row(1, 0);
     if (has_work(j)) row(topology_.approach(x, j), f.value);
   }
+  drive_slopes(x, values.subspan(entry));
+}
+
+/// In the order of their places.
+template <class Topology>
+void TopologyPhase<Topology>::drive_slopes(ConstState x, State values) const {
+  std::size_t entry = 0;
   for (Index k = 0; k < at().drives(); ++k) {
     const auto& drive = topology_.model.drive[k];
     const double time = x[at().clock], by_time = value(rate(piece(drive.change, k)), time);

@@ -24,6 +24,13 @@ flow::SymmetricBody symmetric_part(const DimensionlessMicrobody& body) {
   return part;
 }
 
+/// What waits to leave zero does so now.
+bool leaves(auto& waiting, Index i, bool has_left) {
+  const bool now = waiting[i] && has_left;
+  if (now) waiting[i] = false;
+  return now;
+}
+
 /// Slip below this is none: a hundredth of what may be wrong anyway.
 double noise_of_slip(const DimensionlessMicrobody& body, double accuracy) {
   return std::max(0.01 * accuracy * body.speed, 256 * epsilon * std::max(body.speed, 1 / body.time));
@@ -116,13 +123,8 @@ void MicrobodyPhase::bind_series() {
   if (!series_) return;
   const auto& tip = mode_.tip[i];
   const auto& law = body_.law[static_cast<std::size_t>(i)];
-  const bool spatial = body_.motion == TipPhase::Motion::spatial,
-             sticks = tip.contact == TipContact::sticking;
-  const bool frictional = body_.friction.coefficient > 0;
-  // In space the series know no lever that sinks with a tip at rest, nor a slip from rest that begins with
-  // the touch, where friction starts from zero as well.
-  const bool from_rest = !sticks && tip.start != SlipStart::moving;
-  if (spatial && frictional && (sticks || from_rest) && (tip_.indented || tip.at_touch)) series_ = false;
+  const bool sticks = tip.contact == TipContact::sticking;
+  series_ = is_known(tip);
   tip_.tip = i;
   tip_.stiffness = law.stiffness;
   tip_.adhesion = law.adhesion;
@@ -133,6 +135,19 @@ void MicrobodyPhase::bind_series() {
   tip_.slip = static_cast<TipPhase::Slip>(tip.start);
   tip_.from_rest = tip.direction;
   tip_.direction = dot(tip.direction, body_.tangent) < 0 ? -1 : 1;
+  bind_guards(i);
+}
+
+/// In space the series know no lever that sinks with a tip at rest, nor a slip from rest that begins with
+/// the touch, where friction starts from zero as well.
+bool MicrobodyPhase::is_known(const TipMode& tip) const {
+  if (body_.motion != TipPhase::Motion::spatial || body_.friction.coefficient == 0) return true;
+  const bool starts_or_stays = tip.contact == TipContact::sticking || tip.start != SlipStart::moving;
+  return !(starts_or_stays && (tip_.indented || tip.at_touch));
+}
+
+/// The guards of tip i for its series.
+void MicrobodyPhase::bind_guards(Index i) {
   const auto watched = [&](TipGuard guard) {
     return crossing(i, guard) == Crossing::none ? Index{-1} : guard_index(i, guard);
   };
@@ -191,36 +206,29 @@ double MicrobodyPhase::own_direction() const {
 
 flow::Accepted MicrobodyPhase::accept(ConstState x) {
   if (closed_ == 0) return flow::Accepted::unchanged;
-  auto result = flow::Accepted::unchanged;
+  bool rewatched = false;
   const auto forces = mechanics_.forces(x, mode_);
   for (Index i = 0; i < layout_.tips; ++i) {
-    auto& tip = mode_.tip[i];
-    if (tip.contact == TipContact::clear) continue;
+    if (mode_.tip[i].contact == TipContact::clear) continue;
     const auto here = mechanics_.tip(x, i);
-    const Vector3 slip = here.slip;
-    const Index cone = guard_index(i, TipGuard::cone), back = guard_index(i, TipGuard::turn_back);
-    const bool spatial = body_.motion == TipPhase::Motion::spatial;
-    if (spatial && tip.contact == TipContact::sliding && norm(slip) > own_direction()) {
-      tip.direction = (1 / norm(slip)) * slip;
-      tip.rest = 0;
-      tip.start = SlipStart::moving;
-      result = flow::Accepted::rewatched;
-    }
-    if (waiting_[back] && here.velocity > 0) {
-      waiting_[back] = false;
-      result = flow::Accepted::rewatched;
-    }
-    if (doubtful_[i] && signed_pressure(here, i) > pressure_error(here, i)) {
-      doubtful_[i] = false;
-      result = flow::Accepted::rewatched;
-    }
     const double limit = mechanics_.holding(forces.normal[i]);
-    if (waiting_[cone] && norm(forces.friction[i]) < (1 - 1e-9) * limit) {
-      waiting_[cone] = false;
-      result = flow::Accepted::rewatched;
-    }
+    const bool holds = norm(forces.friction[i]) < (1 - 1e-9) * limit;
+    rewatched = turn_with_slip(mode_.tip[i], here.slip) || rewatched;
+    rewatched = leaves(waiting_, guard_index(i, TipGuard::turn_back), here.velocity > 0) || rewatched;
+    rewatched = leaves(doubtful_, i, signed_pressure(here, i) > pressure_error(here, i)) || rewatched;
+    rewatched = leaves(waiting_, guard_index(i, TipGuard::cone), holds) || rewatched;
   }
-  return result;
+  return rewatched ? flow::Accepted::rewatched : flow::Accepted::unchanged;
+}
+
+/// Friction of a tip that slides in space turns with its slip from now on.
+bool MicrobodyPhase::turn_with_slip(TipMode& tip, const Vector3& slip) const {
+  const bool spatial = body_.motion == TipPhase::Motion::spatial;
+  if (!spatial || tip.contact != TipContact::sliding || norm(slip) <= own_direction()) return false;
+  tip.direction = (1 / norm(slip)) * slip;
+  tip.rest = 0;
+  tip.start = SlipStart::moving;
+  return true;
 }
 
 }  // namespace mariotte::model

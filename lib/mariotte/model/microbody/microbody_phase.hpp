@@ -75,6 +75,9 @@ class MicrobodyPhase final : public flow::Problem {
   double imbalance(ConstState x, double speed) const;
   void watch(Index tip);
   void bind_series();
+  bool is_known(const TipMode& tip) const;
+  void bind_guards(Index i);
+  bool turn_with_slip(TipMode& tip, const Vector3& slip) const;
   flow::Crossing& crossing(Index tip, TipGuard guard) { return crossings_[guard_index(tip, guard)]; }
 
   const DimensionlessMicrobody& body_;
