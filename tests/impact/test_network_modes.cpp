@@ -152,6 +152,27 @@ BOOST_AUTO_TEST_CASE(a_stiffness_ratio_of_1e10_costs_no_digits) {
   BOOST_TEST(std::abs(run.energy.residual) < 1e-12 * run.energy.initial);
 }
 
+// Where a mode is so slow that it hardly moves, what closed contacts push an open one to is a difference of
+// large ways.
+BOOST_AUTO_TEST_CASE(an_open_contact_beside_a_slow_mode_is_where_it_is) {
+  const auto along = [](double a, double b, double c, double d) {
+    return ContactDirection{{0, a}, {1, b}, {2, c}, {3, d}};
+  };
+  const model::Network network{
+      .mass = {2.08, 2.087, 0.265, 989.2},
+      .direction = {along(-0.574, -0.076, -1.318, -1.238), along(-0.279, 0.28, 0.533, 0.799),
+                    along(0.003, 0.597, -2.97, 0.391), along(-1.326, 0.045, -0.896, -1.326),
+                    along(0.829, -0.279, 0.882, -0.559), along(-0.413, 0.16, 0.358, -0.288)},
+      .law = {contact::Linear{192.5}, contact::Linear{4679}, contact::Linear{140.6}, contact::Linear{0.905},
+              contact::Linear{0.94}, contact::Linear{41.7}},
+      .gap = {0, 0, 0, 0.0226, 0, 0.23},
+      .velocity = {1.603, -0.994, -0.103, 0.16}};
+  const auto gaps = [&](flow::Kind flow) {
+    return simulate(network, {.accuracy = 1e-12, .max_time = 0.05, .flow = flow}).gap;
+  };
+  BOOST_TEST(difference(gaps(flow::Kind::modal), gaps(flow::Kind::taylor)) < 1e-14);
+}
+
 BOOST_AUTO_TEST_CASE(a_linear_rack_is_broken_with_closed_balances) {
   const auto network = test::with_law(test::rack(5, 0), contact::Linear{1});
   const auto run = simulate(network, {.accuracy = 1e-12});

@@ -117,6 +117,19 @@ BOOST_AUTO_TEST_CASE(where_closed_forms_agree_rounding_tells) {
   BOOST_TEST(estimate({.exact = 3, .cut = 7}) == 1e-15);
 }
 
+// Runs that differ in accuracy share what a phase of CVODE leaves: what the run makes of rounding, it makes
+// of that.
+BOOST_AUTO_TEST_CASE(a_run_that_magnifies_rounding_magnifies_the_errors_of_cvode) {
+  const auto same = [](const hybrid::Options&) { return std::optional(0.0); };
+  const auto estimate = [&](const impact::Passage& gone, double shaken) {
+    return impact::keep_promise({.accuracy = 1e-11}, gone, same, rounding_makes(shaken));
+  };
+  const impact::Passage stiff{.bdf = 100, .cvode = 1};
+  BOOST_TEST(estimate({}, 1e-5) == 1e-5);
+  BOOST_TEST(estimate(stiff, 1e-5) > 1e-3);
+  BOOST_TEST(estimate(stiff, 64 * epsilon) < 5e-11);
+}
+
 BOOST_AUTO_TEST_CASE(where_two_runs_are_the_same_rounding_tells) {
   const auto same = [](const hybrid::Options&) { return std::optional(0.0); };
   BOOST_TEST(impact::keep_promise({.accuracy = 1e-8}, {}, same, rounding_makes(1e-6)) == 1e-6);

@@ -30,15 +30,30 @@ struct Passage {
 };
 
 /// Error that steps of CVODE leave and no tighter tolerance takes away, relative to the speed, against
-/// extended precision: some 10⁻¹¹ of a single wave, and more of rows that ring for long, where it adds up.
+/// extended precision, if it adds up: at most, and of a single wave.
+inline double error_of_cvode(const Passage& passage) {
+  constexpr double adams = 120 * epsilon, bdf = 600 * epsilon;
+  return adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf);
+}
+inline double of_single_wave(double error_of_cvode) {
+  return std::min(0.25 * error_of_cvode, 5e-11);
+}
+
+/// That of a whole run: some 10⁻¹¹ of a single wave, and more of rows that ring for long, where it adds up.
 /// What friction holds back forgets it.
 inline double floor_of_cvode(const Passage& passage) {
-  constexpr double adams = 120 * epsilon, bdf = 600 * epsilon, of_wave = 0.25, most_of_wave = 5e-11;
   if (passage.cvode == 0) return 0;
-  const double all = adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf);
+  const double all = error_of_cvode(passage);
   const auto beyond = std::max<Index>(passage.cvode - passage.harmless, 0);
   const double ringing = static_cast<double>(beyond) / static_cast<double>(passage.cvode);
-  return std::max(ringing * all, std::min(of_wave * all, most_of_wave));
+  return std::max(ringing * all, of_single_wave(all));
+}
+
+/// What the rest of the run makes of the error of one phase of CVODE, where it makes `shaken` of rounding.
+inline double grown_error_of_cvode(const Passage& passage, double shaken) {
+  constexpr double unmagnified = 64 * epsilon;
+  if (passage.cvode == 0) return 0;
+  return of_single_wave(error_of_cvode(passage) / static_cast<double>(passage.cvode)) * shaken / unmagnified;
 }
 
 /// Rounding of indentations that are large beside what moves, relative to the largest speed: at least what

@@ -12,7 +12,7 @@
 //     a cannot get tighter?                                        → the same
 //   they did not agree, or a tighter one came to no end, or what they did may hide rounding?
 //     near the last accuracy, run with masses and gaps that are moved by rounding errors: the largest
-//     difference is the estimate
+//     difference is the estimate, or as many times more as CVODE errs by more than rounding
 //   there were too many periods to run again, or none of these runs came to an end: nothing bounds the error,
 //   the estimate is infinite
 #pragma once
@@ -117,7 +117,7 @@ double keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run
   now.accuracy *= 4;  // so that what the accuracy cuts off shows as well
   const std::optional<double> shaken = shake(now);
   if (!shaken) return last.value_or(infinity);
-  return std::max({*shaken, agreed ? *last : 0, slowed_rounding(gone)});
+  return std::max({*shaken, grown_error_of_cvode(gone, *shaken), agreed ? *last : 0, slowed_rounding(gone)});
 }
 
 /// Unless the run that stays is no result.

@@ -127,12 +127,15 @@ void Vibration::ride_natural_modes(const VibrationGroup& group, const NaturalMod
   }
 }
 
-/// An open or slack gap: straight, but for what closed contacts push.
+/// An open or slack gap: straight, but for what closed contacts push. The straight part begins where what the
+/// modes do leaves it to begin: pushes of a slow mode are large, and nearly cancel.
 void Vibration::start_open(Index j, ConstState x) {
   auto& depth = motion_[j].depth;
-  depth.constant = -x[contacts_[j].gap];
-  depth.slope = approach(j, x);
+  depth.constant = depth.slope = 0;
   add_pushes(j);
+  const Slope modes = depth.slope_at(modes_, 0);
+  depth.constant = -x[contacts_[j].gap] - modes.value;
+  depth.slope = approach(j, x) - modes.rate;
   auto& load = motion_[j].force;  // k δ + c δ̇
   const double k = contacts_[j].stiffness, c = contacts_[j].damping;
   load.constant = k * depth.constant + c * depth.slope;
@@ -150,9 +153,6 @@ void Vibration::add_push(Index open_contact, Index closed_contact, double factor
   const auto& impulse = motion_[closed_contact].impulse;
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     const Weight push = integral(modes_[i], impulse[i]);
-    const Weight now = {1, modes_[i].form == NaturalMode::Form::separate ? 1.0 : 0.0};
-    depth.constant -= factor * dot(push, now);
-    depth.slope -= factor * dot(impulse[i], now);
     depth.weight[i].even += factor * push.even;
     depth.weight[i].odd += factor * push.odd;
   }
