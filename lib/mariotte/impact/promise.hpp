@@ -117,7 +117,8 @@ double keep_promise(const hybrid::Options& asked, const Passage& gone, Run&& run
   now.accuracy *= 4;  // so that what the accuracy cuts off shows as well
   const std::optional<double> shaken = shake(now);
   if (!shaken) return last.value_or(infinity);
-  return std::max({*shaken, grown_error_of_cvode(gone, *shaken), agreed ? *last : 0, slowed_rounding(gone)});
+  const double grown = *shaken > asked.accuracy ? grown_error_of_cvode(gone, *shaken) : 0;
+  return std::max({*shaken, grown, agreed ? *last : 0, slowed_rounding(gone)});
 }
 
 /// Unless the run that stays is no result.
