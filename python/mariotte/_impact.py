@@ -15,7 +15,7 @@ from ._columns import key_of_result
 from ._errors import in_python, warn
 from ._events import Event, TipImpact, event, tip_impact
 from ._files import save
-from ._numbers import Array, Numbers, counted, number
+from ._numbers import Array, Numbers, counted, number, whole
 from ._scene import Body, Chain, Network, Path, Result, Scene, box_of
 from ._sensitivity import Sensitivity, sensitivity
 from ._toml import plain
@@ -296,7 +296,7 @@ class ContactImpact(WithContacts):
 
     @property
     def icr(self) -> Array:
-        """Impulse correlation ratios α_j = p_j/p_{j+1}, m − 1 values; nan where p_{j+1} = 0 [Acary 2003, eq. 5]."""
+        """Impulse correlation ratios α_j = p_j/p_{j+1}, m − 1 values; nan where p_{j+1} = 0 or noise [Acary 2003, eq. 5]."""
         return self._run.icr
 
     @property
@@ -434,8 +434,11 @@ def simulate(scene: Scene[Result], *, accuracy: Optional[float] = None, until: O
         raise TypeError("give until, the end that is wanted, or max_time, a limit")
     if not (flow is None or isinstance(flow, str)):
         raise TypeError(f"flow is a word, such as 'taylor', not {flow!r}")
+    if not isinstance(estimate, (bool, np.bool_)):
+        raise TypeError(f"estimate is True or False, not {estimate!r}")
     tight = None if accuracy is None else number(accuracy, "accuracy")
-    made = _simulated(scene, (tight, plain(until), plain(max_time), max_events, flow, estimate))
+    most = None if max_events is None else whole(max_events, "max_events")
+    made = _simulated(scene, (tight, plain(until), plain(max_time), most, flow, bool(estimate)))
     warn(made.warnings)
     result: Result = made
     return result

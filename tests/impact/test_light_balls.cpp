@@ -24,6 +24,22 @@ double relative(double value, double exact) {
 
 }  // namespace
 
+// A ball so light that it leaves another one less than counts as rest: what that presses on the next is
+// noise.
+BOOST_AUTO_TEST_CASE(ratios_with_what_cannot_be_told_from_rest_are_undefined) {
+  const auto chain = row({1e-7, 1, 1}, 0);
+  impact::ChainSolver solver;
+  for (const double accuracy : {1e-4, 1e-5}) {
+    const auto impact = impact::simulate(chain, {.accuracy = accuracy});
+    BOOST_TEST(!impact.icr[0].has_value());
+    BOOST_TEST(impact.contacts[0].impulse == 2e-7, boost::test_tools::tolerance(1e-5));
+    BOOST_TEST(solver.solve(chain, {.accuracy = accuracy}).impulse[1] == 0);
+  }
+  const auto exact = impact::simulate(chain, {.accuracy = 1e-12});
+  BOOST_TEST(*exact.icr[0] == 1, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(solver.solve(chain, {.accuracy = 1e-12}).impulse[1] == 2e-7, boost::test_tools::tolerance(1e-5));
+}
+
 // Impulses integrated in extended precision, of a ball between two that it hardly moves.
 BOOST_AUTO_TEST_CASE(a_ball_between_two_heavy_ones) {
   for (const double right : {1e10, infinity})

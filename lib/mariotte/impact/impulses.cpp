@@ -45,9 +45,10 @@ void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& chang
   for (const auto& [time, change] : changes) periods[change.contact] += starts_force(change);
 }
 
-void clear_untouched(const std::vector<Index>& periods, std::vector<double>& p) {
+void clear_faint(const model::ScaledContacts& contacts, const std::vector<Index>& periods,
+                 std::vector<double>& p) {
   for (std::size_t j = 0; j < p.size(); ++j)
-    if (periods[j] == 0) p[j] = 0;
+    if (periods[j] == 0 || is_faint(contacts, static_cast<Index>(j), p[j])) p[j] = 0;
 }
 
 std::optional<double> correlation_ratio(const std::vector<double>& impulses, std::size_t j) {

@@ -1,5 +1,6 @@
 // Impulses and their ratios.
 #pragma once
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -37,8 +38,13 @@ inline bool ends_force(const model::ContactChange& change) {
 void count_periods(const std::vector<hybrid::Timed<model::ContactChange>>& changes, Index contacts,
                    std::vector<Index>& periods);
 
-/// A contact that never carried force has no impulse, whatever rounding says.
-void clear_untouched(const std::vector<Index>& periods, std::vector<double>& p);
+/// An impulse of contact j that can have stopped no more than what counts as rest.
+inline bool is_faint(const model::ScaledContacts& contacts, Index j, double impulse) {
+  return std::abs(impulse) <= contacts.reduced_mass[j] * contacts.noise_speed;
+}
+/// A contact that never carried force has no impulse, whatever rounding says, nor has one whose is faint.
+void clear_faint(const model::ScaledContacts& contacts, const std::vector<Index>& periods,
+                 std::vector<double>& p);
 
 /// α_j = p_j/p_{j+1} [Acary 2003, eq. 5]; empty where p_{j+1} = 0, or is not one of the impulses.
 std::optional<double> correlation_ratio(const std::vector<double>& impulses, std::size_t j);

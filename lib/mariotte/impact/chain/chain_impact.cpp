@@ -103,7 +103,7 @@ ChainImpact describe(const DimensionlessChain& chain, const ChainLayout& layout,
   impact.message = run.message;
   pass_gate({chain, layout, chain_run.mode, interval, p, periods, energies}, accuracy, impact.ending,
             impact.message);
-  clear_untouched(periods, p);
+  clear_faint(chain, periods, p);
   impact.time = run.time * scale.time;
   for (const Index at : layout.velocity) impact.velocity.push_back(run.state[at] * scale.velocity);
   for (const Index at : layout.gap) impact.gap.push_back(run.state[at] * scale.length);

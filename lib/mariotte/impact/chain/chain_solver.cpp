@@ -39,7 +39,7 @@ struct ChainSolver::Memory {
     contact_energies(chain, layout, mode, interval, energies);
     pass_gate({chain, layout, mode, interval, impact.impulse, impact.periods, energies}, accuracy,
               impact.ending, impact.message);
-    clear_untouched(impact.periods, impact.impulse);
+    clear_faint(chain, impact.periods, impact.impulse);
     for (double& p : impact.impulse) p *= chain.scale.momentum();
     gone = passage(run, impact.periods, chain.law);
   }

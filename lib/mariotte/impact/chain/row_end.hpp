@@ -89,7 +89,11 @@ bool tell(const RowScene<most>& scene, const Row& row, double accuracy, BriefImp
   impact.velocity.resize(scene.balls());
   impact.impulse.resize(scene.contacts());
   for (int i = 0; i < scene.balls(); ++i) impact.velocity[i] = end.after[i] * scene.scale.velocity;
-  for (int j = 0; j < scene.contacts(); ++j) impact.impulse[j] = end.impulse[j] * scene.scale.momentum();
+  for (int j = 0; j < scene.contacts(); ++j) {
+    const double mass = scene.mass[j] / (scene.mass[j] + scene.mass[j + 1]) * scene.mass[j + 1];
+    const bool is_faint = std::abs(end.impulse[j]) * scene.scale.mass <= mass * row.noise_speed;
+    impact.impulse[j] = is_faint ? 0 : end.impulse[j] * scene.scale.momentum();
+  }
   impact.periods.assign(row.periods, row.periods + scene.contacts());
   impact.events = row.events;
   impact.steps = impact.rhs = row.steps + row.series_steps;

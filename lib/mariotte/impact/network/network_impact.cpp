@@ -31,7 +31,8 @@ ContactHistory history(const NetworkSystem& system, const contact::ContactSet& m
   const auto& d = system.network();
   const auto& at = system.layout();
   ContactHistory contact;
-  contact.impulse = interval.after[at.impulse[j]] * d.scale.momentum();
+  const double impulse = interval.after[at.impulse[j]];
+  contact.impulse = is_faint(d, j, impulse) ? 0 : impulse * d.scale.momentum();
   const auto energy = contact_energy(d, at, mode, interval, j);
   const double noise = accuracy * d.reduced_mass[j] * d.speed * d.speed;
   contact.stored = energy.stored * d.scale.energy();

@@ -32,8 +32,9 @@ struct NetworkSolver::Memory {
           !is_felt(d, change.contact, run.state[at.impulse[change.contact]], accuracy))
         --impact.periods[change.contact];
     impact.impulse.clear();
-    for (const Index place : at.impulse) impact.impulse.push_back(run.state[place] * d.scale.momentum());
-    clear_untouched(impact.periods, impact.impulse);
+    for (const Index place : at.impulse) impact.impulse.push_back(run.state[place]);
+    clear_faint(d, impact.periods, impact.impulse);
+    for (double& p : impact.impulse) p *= d.scale.momentum();
   }
 
   void solve(const model::Network& network, const hybrid::Options& options) {

@@ -204,7 +204,8 @@ Value pair_restitution(const ChainImpact& r) {
 List<ChainImpact> ratios(const ChainImpact*) {
   using I = ChainImpact;
   return {
-      {.is = {"icr[]", "1", "α_j", "impulse correlation ratio p_j/p_{j+1}; null where p_{j+1} = 0"},
+      {.is = {"icr[]", "1", "α_j",
+              "impulse correlation ratio p_j/p_{j+1}; null where p_{j+1} = 0, or below what counts as rest"},
        .read = element<&I::icr>,
        .count = size_of<&I::icr>,
        .brief = [](const Brief<I>& b,

@@ -180,7 +180,7 @@ class ContactSensitivity {
     std::vector<Index> periods;
     impulses_.at({x0_, end_.run.state, end_.run.time}, p);
     count_periods(end_.run.changes, layout_.contacts(), periods);
-    clear_untouched(periods, p);
+    clear_faint(base_, periods, p);
     const auto slopes = impulse_slopes(periods);
     for (Index j = 0; j < layout_.contacts(); ++j)
       add("impulse", j, "N s", p[j] * unit, [&](Index c) { return slopes(j, c) * unit; });
