@@ -67,12 +67,13 @@ Command capture_command() {
   return {.name = "capture",
           .about = "Find the speed below which a microbody, or a pair that adheres, does not part again",
           .footer = capture_examples,
-          .options = joined({scene_options(options->scene),
-                             {{"--tolerance",
-                               &options->tolerance,
-                               "Width of the bracket, relative to the speed",
-                               {.check = Range{1e-15, 0.5}, .shows_default = true}},
-                              {"--json", &options->json, "One JSON object on stdout"}}}),
+          .options = joined(
+              {scene_options(options->scene),
+               {{"--tolerance",
+                 &options->tolerance,
+                 "Width of the bracket, relative to the speed",
+                 {.check = Range{study::finest_capture, study::widest_capture}, .shows_default = true}},
+                {"--json", &options->json, "One JSON object on stdout"}}}),
           .act = [options] { return capture(*options); }};
 }
 

@@ -25,6 +25,12 @@ def test_capture_velocity_is_that_of_the_command(command_json):
     assert float(found) == found.value
 
 
+@pytest.mark.parametrize("tolerance", [math.nan, math.inf, -1, 0, 1, 1e-300])
+def test_a_tolerance_of_a_capture_velocity_is_between_rounding_and_a_half(tolerance):
+    with pytest.raises(mt.InvalidParameter, match="lies between 1e-15 and 0.5"):
+        mt.capture_velocity(mt.load(SCENES / "microsphere.toml"), tolerance=tolerance)
+
+
 def test_two_balls_that_adhere_have_a_capture_velocity(tmp_path, command_json):
     pair = tmp_path / "pair.toml"
     pair.write_text("[chain]\nmass = [1, 2]\nvelocity = [1, 0]\nlaw = 'jkr'\neffective_modulus = 1e5\n"

@@ -37,6 +37,8 @@ model::Chain struck(model::Chain pair, double speed) {
 
 std::optional<impact::CaptureVelocity> capture_velocity(scene::Document document, double tolerance,
                                                         const std::function<void()>& watch) {
+  if (!(tolerance >= finest_capture && tolerance <= widest_capture))
+    throw InvalidParameter("the tolerance of a capture velocity lies between 1e-15 and 0.5");
   const auto scene = resolve(document);
   expect_captured(scene, document.source.name);
   if (const auto* chain = std::get_if<model::Chain>(&scene.model)) {
