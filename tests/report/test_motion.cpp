@@ -131,6 +131,44 @@ BOOST_AUTO_TEST_CASE(corners_of_a_block_have_an_outline_and_planes_stand_where_t
   });
 }
 
+// A groove along y, in space, is seen along y.
+BOOST_AUTO_TEST_CASE(planes_in_space_are_seen_as_lines) {
+  const auto scene = scene::parse(R"(
+[bodies]
+dimension = 3
+law = "hertz"
+stiffness = 1e6
+radius = 0.05
+mass = 0.2
+[[bodies.body]]
+position = [0, 0, 0.08]
+velocity = [0, 0.5, -1]
+[[bodies.plane]]
+normal = [1, 0, 1]
+[[bodies.plane]]
+normal = [-1, 0, 1]
+)",
+                                  "groove");
+  const auto impact = impact::simulate(std::get<model::Bodies>(scene.model), scene.run, {.trace = true});
+  const auto motion = report::motion(impact, scene);
+  BOOST_TEST((motion["axes"] == Json{"x", "z"}));
+  BOOST_TEST(motion["planes"].size() == 2u);
+  BOOST_TEST(motion["discs"][0]["y"].get<double>() > 0.05);
+}
+
+// The size of a ball is not known, but where it touches a wall.
+BOOST_AUTO_TEST_CASE(balls_of_unknown_size_stand_beside_their_wall) {
+  const auto scene = scene::parse(
+      "[chain]\nmass = 1\nballs = 1\nwall = 'left'\ngap = 1e-3\nvelocity = -1\nlaw = 'hertz'\nstiffness = "
+      "1e5\n",
+      "wall");
+  const auto impact = impact::simulate(std::get<model::Chain>(scene.model), scene.run, {.trace = true});
+  const auto discs = report::motion(impact, scene)["discs"];
+  const double radius = discs[1]["radius"], apart = discs[1]["x"].get<double>() - discs[0]["x"].get<double>();
+  BOOST_TEST(discs[0]["radius"].is_null());
+  BOOST_TEST(apart == radius + 1e-3, boost::test_tools::tolerance(1e-12));
+}
+
 // A rod of which one end touches: the other side of its mass centre is not known.
 BOOST_AUTO_TEST_CASE(a_point_beside_its_mass_is_seen_with_it) {
   with<model::Bodies>("painleve_rod.toml", [](const Json& motion, const auto&, const auto&) {

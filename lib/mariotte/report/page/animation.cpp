@@ -239,6 +239,7 @@ constexpr const char* script = R"(
   window.addEventListener('resize', draw);
   $('legend').textContent = 'Arrows are forces; the longest is ' + unit(strongest, 'N') + '. ' +
     (factor > 1 ? 'Motion is magnified ' + factor + ' times. ' : '') +
+    (data.axes ? 'Seen with ' + data.axes[0] + ' to the right and ' + data.axes[1] + ' upwards. ' : '') +
     (data.to_scale ? '' : 'Sizes of the bodies are not known. ') +
     (isSlowed ? 'It is slowest where forces act. ' : '') +
     'One pass takes ' + seconds + ' s for ' + unit(span, 's') + '. Drag along the forces to choose an instant.';

@@ -54,12 +54,14 @@ Course course_of(const impact::Trace& trace, const std::vector<Disc>& discs, std
 }
 
 /// Where radii are not known: so large that motion is small against them, and gaps are.
-double radius_that_looks_well(const impact::Trace& trace, const model::Chain& chain) {
+std::vector<double> radii_that_look_well(const impact::Trace& trace, const model::Chain& chain) {
   double most = *std::max_element(chain.gap.begin(), chain.gap.end());
   const auto course = course_of(trace, std::vector<Disc>(chain.mass.size()), 1, trace.time);
   for (const auto& row : course.place)
     for (const double moved : row) most = std::max(most, std::abs(moved));
-  return most > 0 ? 4 * most : 1;
+  std::vector<double> radii;
+  for (const double mass : chain.mass) radii.push_back(std::isinf(mass) ? infinity : most > 0 ? 4 * most : 1);
+  return radii;
 }
 
 std::vector<Disc> row_of_discs(const model::Chain& chain, const std::vector<double>& radius) {
@@ -122,7 +124,7 @@ Json motion(const impact::ChainImpact& impact, const scene::Scene& scene) {
   const auto& trace = impact.trace;
   if (trace.time.size() < 2 || chain.mass.size() > most_discs) return {};
   auto radius = scene.radius;
-  if (radius.empty()) radius.assign(chain.mass.size(), radius_that_looks_well(trace, chain));
+  if (radius.empty()) radius = radii_that_look_well(trace, chain);
   const auto discs = row_of_discs(chain, radius);
   std::vector<DiscContact> contacts;
   for (int j = 0; j < static_cast<int>(chain.law.size()); ++j) contacts.push_back({j, j + 1, 1, 0});

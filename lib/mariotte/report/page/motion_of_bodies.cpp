@@ -10,6 +10,24 @@
 namespace mariotte::report {
 namespace {
 
+/// Which components of a vector lie to the right and upwards in the picture.
+struct View {
+  int right = 0, up = 1;
+  double x(const Vector3& v) const { return component(v, right); }
+  double y(const Vector3& v) const { return component(v, up); }
+  /// The plane is a line.
+  bool is_along(const model::Plane& plane) const { return component(plane.normal, 3 - right - up) == 0; }
+};
+
+/// In space along an axis that lies in all planes, so that they are lines; along z if none does.
+View view_of(const model::Bodies& bodies) {
+  for (const View view : {View{0, 1}, View{0, 2}, View{1, 2}})
+    if (std::all_of(bodies.plane.begin(), bodies.plane.end(),
+                    [&](const auto& plane) { return view.is_along(plane); }))
+      return view;
+  return {};
+}
+
 /// What is seen of a body: one of its spheres, or where its mass is, of which nothing else tells.
 struct Seen {
   std::size_t body;
@@ -46,24 +64,26 @@ std::vector<Seen> seen_of(const model::Bodies& bodies) {
 }
 
 /// x and y of all of them at one sample.
-std::vector<double> places(const std::vector<Seen>& seen, const std::vector<impact::BodyEnd>& sample) {
+std::vector<double> places(const std::vector<Seen>& seen, const View& view,
+                           const std::vector<impact::BodyEnd>& sample) {
   std::vector<double> row;
   for (const auto& one : seen) {
     const auto centre = sample[one.body].position + rotate(sample[one.body].attitude, one.centre);
-    row.insert(row.end(), {centre.e1, centre.e2});
+    row.insert(row.end(), {view.x(centre), view.y(centre)});
   }
   return row;
 }
 
 /// The contact as it stands when its force is largest.
-DiscContact contact_of(const model::Bodies& bodies, Index c, const impact::BodiesTrace& trace,
-                       const Rows& rows) {
+DiscContact contact_of(const model::Bodies& bodies, const View& view, Index c,
+                       const impact::BodiesTrace& trace, const Rows& rows) {
   const auto& contact = bodies.contact[c];
   const auto first = first_spheres(bodies);
   const int to = first[contact.b.owner] + static_cast<int>(contact.b.sphere);
   if (contact.a.is_plane()) {
     const auto& normal = bodies.plane[contact.a.owner].normal;
-    return {-1, to, normal.e1, normal.e2, normal.e1, normal.e2};
+    const double x = view.x(normal), y = view.y(normal);
+    return {-1, to, x, y, x, y};
   }
   const int from = first[contact.a.owner] + static_cast<int>(contact.a.sphere);
   std::size_t best = 0;
@@ -81,10 +101,11 @@ struct Pushes {
   Rows force;
 };
 
-Pushes pushes_of(const model::Bodies& bodies, const impact::BodiesTrace& trace, const Rows& rows) {
+Pushes pushes_of(const model::Bodies& bodies, const View& view, const impact::BodiesTrace& trace,
+                 const Rows& rows) {
   Pushes pushes{{}, trace.force};
   for (Index c = 0; c < std::ssize(bodies.contact); ++c)
-    pushes.contact.push_back(contact_of(bodies, c, trace, rows));
+    pushes.contact.push_back(contact_of(bodies, view, c, trace, rows));
   for (int c = 0; c < static_cast<int>(bodies.contact.size()); ++c) {
     const auto slips = [&](const auto& friction) { return norm(friction[c]) > 0; };
     if (std::none_of(trace.friction.begin(), trace.friction.end(), slips)) continue;
@@ -94,24 +115,24 @@ Pushes pushes_of(const model::Bodies& bodies, const impact::BodiesTrace& trace, 
     pushes.contact.push_back(across);
     for (std::size_t row = 0; row < pushes.force.size(); ++row) {
       const auto& f = trace.friction[row][c];
-      pushes.force[row].push_back(f.e1 * across.x + f.e2 * across.y);
+      pushes.force[row].push_back(view.x(f) * across.x + view.y(f) * across.y);
     }
   }
   return pushes;
 }
 
-bool is_floor(const model::Plane& plane) {
-  return plane.normal.e1 == 0 && plane.normal.e2 == 1 && plane.point.e2 == 0 && norm(plane.velocity) == 0;
+bool is_floor(const model::Plane& plane, const View& view) {
+  return view.y(plane.normal) == 1 && view.y(plane.point) == 0 && norm(plane.velocity) == 0;
 }
 
 /// Planes that stand across the picture, but for the floor.
-Json planes_of(const model::Bodies& bodies) {
+Json planes_of(const model::Bodies& bodies, const View& view) {
   auto list = Json::array();
   for (const auto& plane : bodies.plane)
-    if (!is_floor(plane) && plane.normal.e3 == 0)
-      list.push_back({{"x", plane.point.e1},
-                      {"y", plane.point.e2},
-                      {"normal", {plane.normal.e1, plane.normal.e2}},
+    if (!is_floor(plane, view) && view.is_along(plane))
+      list.push_back({{"x", view.x(plane.point)},
+                      {"y", view.y(plane.point)},
+                      {"normal", {view.x(plane.normal), view.y(plane.normal)}},
                       {"speed", dot(plane.velocity, plane.normal)}});
   return list;
 }
@@ -136,12 +157,13 @@ Json motion(const impact::BodiesImpact& impact, const scene::Scene& scene) {
   const auto& bodies = std::get<model::Bodies>(scene.model);
   const auto& trace = impact.trace;
   const auto seen = seen_of(bodies);
+  const View view = view_of(bodies);
   if (trace.time.size() < 2 || seen.size() > most_discs) return {};
   std::vector<Disc> discs;
   for (const auto& one : seen) discs.push_back({0, 0, one.radius});
   Rows rows;
-  for (const auto& sample : trace.body) rows.push_back(places(seen, sample));
-  const auto pushes = pushes_of(bodies, trace, rows);
+  for (const auto& sample : trace.body) rows.push_back(places(seen, view, sample));
+  const auto pushes = pushes_of(bodies, view, trace, rows);
   const auto windows = time_axis(action_of(trace), {}, scene.figure).windows;
   Course course{instants(windows, trace.time, pushes.force), {}, {}};
   for (const double time : course.time) {
@@ -150,8 +172,11 @@ Json motion(const impact::BodiesImpact& impact, const scene::Scene& scene) {
     course.force.push_back(between(pushes.force, at));
   }
   auto all = as_json(discs, pushes.contact, course);
-  all["floor"] = std::any_of(bodies.plane.begin(), bodies.plane.end(), is_floor);
-  all["planes"] = planes_of(bodies);
+  all["floor"] = std::any_of(bodies.plane.begin(), bodies.plane.end(),
+                             [&](const auto& plane) { return is_floor(plane, view); });
+  all["planes"] = planes_of(bodies, view);
+  constexpr std::string_view axes = "xyz";
+  if (bodies.dimension == 3) all["axes"] = {axes.substr(view.right, 1), axes.substr(view.up, 1)};
   join(bodies, all);
   return all;
 }
