@@ -64,9 +64,9 @@ def beside_axis(enhanced: str) -> str:
 def mathtext(enhanced: str) -> str:
     """Indices, exponents and marks of gnuplot's enhanced text as matplotlib writes them."""
     def mark(found: "re.Match[str]") -> str:
-        plain, above, below, sign, braced, letter = found.groups()
+        plain, below, above, sign, braced, letter = found.groups()
         if below:
             return f"$_{{{below}}}^{{{above}}}$"
         return str(plain) if plain else f"${sign}{{{braced or letter}}}$"
 
-    return re.sub(r"\\(.)|@\^\{([^}]*)\}_\{([^}]*)\}|([_^])(?:\{([^}]*)\}|(\w))", mark, enhanced)
+    return re.sub(r"\\(.)|_\{([^}]*)\}\^\{([^}]*)\}|([_^])(?:\{([^}]*)\}|(\w))", mark, enhanced)

@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(inputs_have_words_and_a_symbol_with_numbers_from_1) {
   BOOST_TEST(name_of_input("chain.contact[1].stiffness") == "stiffness k_{2}");
   BOOST_TEST(name_of_input("chain.material.young") == "Young's modulus E");
   BOOST_TEST(name_of_input("incidence.angles[1]") == "angle β");
-  BOOST_TEST(name_of_input("chain.velocity[0]") == "initial velocity v@^{−}_{1}");
+  BOOST_TEST(name_of_input("chain.velocity[0]") == "initial velocity v_{1}^{−}");
   BOOST_TEST(name_of_input("body.length_ratio") == "length ratio");
 }
 

@@ -188,7 +188,7 @@ stiffness = 1e6
   BOOST_TEST(report::curves_csv(*curves, report.measurements)
                  .starts_with("curve,chain.velocity[0] [m/s],contacts[0].peak_force [N]\n"));
   const auto script = report::fit_script(report, *curves);
-  for (const char* part : {"set ylabel 'peak force max f_{1}\u00a0[N]'", "v@^{−}_{1}\u00a0[m/s]'",
+  for (const char* part : {"set ylabel 'peak force max f_{1}\u00a0[N]'", "v_{1}^{−}\u00a0[m/s]'",
                            "set ylabel 'measured − predicted\u00a0[N]'"})
     BOOST_TEST(has(script, part), part);
 }

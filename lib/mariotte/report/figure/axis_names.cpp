@@ -87,11 +87,11 @@ std::string with_braces(std::string text) {
   return text;
 }
 
-/// With an index at its end; the minus of "v⁻" stands above it.
+/// With an index at its end, before the minus of "v⁻": one above the other, the minus strays in SVG.
 std::string with_index(const std::string& text, const std::string& index) {
   constexpr std::string_view before = "⁻";
   if (!text.ends_with(before)) return fmt::format("{}_{{{}}}", text, index);
-  return fmt::format("{}@^{{−}}_{{{}}}", text.substr(0, text.size() - before.size()), index);
+  return fmt::format("{}_{{{}}}^{{−}}", text.substr(0, text.size() - before.size()), index);
 }
 
 /// "α_j" of number 2 is "α_{2}", "max f_n" is "max f_{n,2}", and of "α, β, γ" it is β.
