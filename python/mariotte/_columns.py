@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any, Dict, Iterable, List, Sequence, Tuple, Union
 
+from ._keys import expect_key
 from ._scene import Bodies, Scene
 
 _OF_CONTACTS = {"velocity": "final.velocity[*]", "gap": "final.gap[*]", "icr": "icr[*]",
@@ -17,6 +18,7 @@ _OF_MICROBODIES = {name: f"final.{name}[*]" for name in ("position", "velocity",
 
 def key_of_result(scene: Scene[Any], member: str) -> str:
     """``velocity`` of a chain is ``final.velocity[*]``, ``velocity[1]`` is ``final.velocity[1]``."""
+    expect_key(member)
     if member == "time":
         return "final.time"
     name, *indices = re.split(r"(?=\[)", member)
@@ -29,7 +31,10 @@ def key_of_result(scene: Scene[Any], member: str) -> str:
 
 def names(given: Union[str, Sequence[str]]) -> List[str]:
     """Several names; one alone needs no list."""
-    return [given] if isinstance(given, str) else list(given)
+    listed = [given] if isinstance(given, str) else list(given)
+    for one in listed:
+        expect_key(one)
+    return listed
 
 
 def matches(pattern: str, keys: Iterable[str]) -> Dict[int, Tuple[int, ...]]:
@@ -37,6 +42,17 @@ def matches(pattern: str, keys: Iterable[str]) -> Dict[int, Tuple[int, ...]]:
     form = re.compile(re.escape(pattern).replace(r"\*", r"(\d+)"))
     fits = ((place, form.fullmatch(key)) for place, key in enumerate(keys))
     return {place: tuple(map(int, one.groups())) for place, one in fits if one}
+
+
+def from_start(pattern: str, keys: Sequence[str]) -> str:
+    """Indices from the end, as those of lists of Python, by how many the keys have."""
+    negative = re.search(r"\[-(\d+)\]", pattern)
+    if not negative or pattern in keys:
+        return pattern
+    before, after = pattern[: negative.start()], pattern[negative.end():]
+    places = [one[before.count("[*]")] for one in matches(from_start(f"{before}[*]{after}", keys), keys).values()]
+    place = len(set(places)) - int(negative.group(1))
+    return from_start(f"{before}[{place}]{after}", keys) if place >= 0 else pattern
 
 
 def extents(indices: Iterable[Tuple[int, ...]]) -> List[int]:

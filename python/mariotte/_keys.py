@@ -11,8 +11,15 @@ _OF_MODEL = {"chain": ("chain",), "network": ("network",), "bodies": ("bodies",)
 _OF_ANY = ("title", "columns", "run", "sweep", "figure", "law")
 
 
+def expect_key(key: object) -> None:
+    """Keys are text."""
+    if not isinstance(key, str):
+        raise TypeError(f"a key is text, such as 'velocity[0]', not {key!r}")
+
+
 def whole_key(kind: str, key: str) -> str:
     """``velocity[0]`` of a chain is ``chain.velocity[0]``; ``law`` is that of its contacts, ``law.icr`` of [law]."""
+    expect_key(key)
     tables = _OF_MODEL[kind]
     first = re.split(r"[.\[]", key)[0]
     stands_alone = key == "law" and tables[0] != "law"

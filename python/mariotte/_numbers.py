@@ -45,6 +45,13 @@ def number(value: Any, what: str) -> float:
     return float(value)
 
 
+def whole(value: Any, what: str) -> int:
+    """One whole number; what has a fraction is none. It is cut to what a number of C++ can hold."""
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)):
+        raise TypeError(f"{what} is a whole number, not {value!r}")
+    return max(-(10**18), min(int(value), 10**18))
+
+
 def counted(count: int, thing: str) -> str:
     """``1 outcome``, ``2 outcomes``."""
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"

@@ -126,6 +126,18 @@ class Scene(Generic[Result]):
             raise TypeError("no text says what a contact law of your own is: this scene cannot be changed, "
                             "swept, fitted or sent to other processes")
 
+    def __eq__(self, other: object) -> bool:
+        """The same text with the same replaced; contact laws of your own make a scene equal to itself alone."""
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return self is other or (not self._box.foreign and self._identity() == other._identity())
+
+    def __hash__(self) -> int:
+        return hash(self._identity())
+
+    def _identity(self) -> Tuple[Any, ...]:
+        return self._box.text, self._box.name, tuple(self._box.overrides)
+
     def __repr__(self) -> str:
         return f"<mariotte.{type(self).__name__} {self.title or self._box.name!r}>"
 
@@ -369,6 +381,8 @@ def parse(text: str, *, name: str = "<text>", replace: Optional[Mapping[str, Any
     ... ''')
     <mariotte.Chain '<text>'>
     """
+    if not isinstance(text, str):
+        raise TypeError(f"the text of a scene is needed, not {text!r}")
     return Scene._of(_core.scene(text, name, _overrides(replace or {})))
 
 

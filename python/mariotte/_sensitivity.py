@@ -60,6 +60,8 @@ class Sensitivity:
         >>> slopes.jvp({"velocity": [0.1, 0.1]})["velocity"].round(9)
         array([0.1, 0.1])
         """
+        if not isinstance(change, Mapping):
+            raise TypeError(f"changes by parameter are needed, not {change!r}")
         direction = np.zeros(len(self.parameters))
         for name, amount in change.items():
             places, shape = self._places(name)

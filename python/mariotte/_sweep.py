@@ -9,12 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._columns import extents, key_of_result, matches, names
+from ._columns import extents, from_start, key_of_result, matches, names
 from ._errors import InvalidParameter, SceneError, in_python, warn
 from ._files import save
 from ._impact import Ending
 from ._keys import whole_key
-from ._numbers import Array, Numbers, counted, number, numbers
+from ._numbers import Array, Numbers, counted, number, numbers, whole
 from ._scene import Chain, Path, Scene, box_of_text
 from ._toml import plain
 
@@ -126,11 +126,22 @@ class Sweep(Mapping[str, Array]):
         keys = list(self)
         return [keys[place] for place in self._matches(column)]
 
+    def __eq__(self, other: object) -> bool:
+        """The same scene over the same grid, with the same numbers."""
+        if not isinstance(other, Sweep):
+            return NotImplemented
+        return (self.scene == other.scene and self._asked == other._asked
+                and np.array_equal(self.table, other.table, equal_nan=True)
+                and np.array_equal(self.ending, other.ending))
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __reduce__(self) -> Tuple[Any, ...]:
         return _restored, (self.scene, self._asked, self.table, self._run.ending, self.reasons)
 
     def _matches(self, column: str) -> Dict[int, Tuple[int, ...]]:
-        return matches(key_of_result(self.scene, column), self)
+        keys = list(self)
+        return matches(from_start(key_of_result(self.scene, column), keys), keys)
 
 
 def sweep(scene: Scene[Any], axes: Optional[Axes] = None, *, columns: Union[str, Sequence[str], None] = None,
@@ -237,7 +248,7 @@ class Solved(NamedTuple):
 
     @property
     def icr(self) -> Array:
-        """Impulse correlation ratios α_j = p_j/p_{j+1}, of shape (N, n − 2); nan where p_{j+1} = 0."""
+        """Impulse correlation ratios α_j = p_j/p_{j+1}, of shape (N, n − 2); nan where p_{j+1} = 0 or noise."""
         left, right = self.impulse[:, :-1], self.impulse[:, 1:]
         return np.divide(left, right, out=np.full(left.shape, np.nan), where=right != 0)
 
@@ -336,13 +347,15 @@ def _wrong(name: str, why: str, code: str, place: str = "") -> InvalidParameter:
 
 def _workers(threads: Optional[int]) -> int:
     if threads is not None:
-        return min(threads, 10**6)  # so that it is a number in C++, too, which refuses it
+        return min(whole(threads, "threads"), 10**6)  # so that it is a number in C++, too, which refuses it
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _axes(scene: Scene[Any], axes: Axes) -> List[Tuple[str, List[Any], bool]]:
     listed = []
     for keys, values in axes.items():
+        if not isinstance(keys, (str, tuple)):
+            raise TypeError(f"an axis is a key, or a tuple of keys that move together, not {keys!r}")
         together = (keys,) if isinstance(keys, str) else keys
         columns = (values,) if isinstance(keys, str) else values
         if len(together) != len(columns):

@@ -34,6 +34,8 @@ def toml(value: Any) -> str:
 
 def table(name: str, entries: Mapping[str, Any]) -> str:
     """A table with a line per key; keys that are None are left out."""
+    if not isinstance(entries, Mapping):
+        raise TypeError(f"{name} is a table, a dict of values by key, not {entries!r}")
     lines = [_line(key, value) for key, value in entries.items() if value is not None]
     return "\n".join([f"[{name}]", *lines, ""])
 

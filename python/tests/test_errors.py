@@ -137,6 +137,23 @@ def test_an_end_is_wanted_or_a_limit(triplet):
             mt.simulate(triplet, **{name: 0})
 
 
+@pytest.mark.parametrize("call, said", [
+    (lambda one: mt.simulate(one)[3], "a key is text, .* not 3"),
+    (lambda one: mt.sweep(one, {"mass[0]": [1]}, columns=[None]), "a key is text, .* not None"),
+    (lambda one: one.replace({0: 1}), "a key is text, .* not 0"),
+    (lambda one: mt.sensitivity(one, to=[5]), "a key is text, .* not 5"),
+    (lambda one: mt.sweep(one, {0: [1]}), "an axis is a key, or a tuple"),
+    (lambda one: mt.sweep(one, {"mass[0]": [1]}, threads="2"), "threads is a whole number, not '2'"),
+    (lambda one: mt.simulate(one, max_events=2.5), "max_events is a whole number, not 2.5"),
+    (lambda one: mt.simulate(one, estimate="no"), "estimate is True or False, not 'no'"),
+    (lambda one: mt.Chain(mass=1, balls=2, law="hertz", stiffness=1, run=5), "run is a table, a dict .* not 5"),
+    (lambda one: mt.parse(None), "the text of a scene is needed, not None"),
+    (lambda one: mt.sensitivity(one).jvp(None), "changes by parameter are needed, not None")])
+def test_what_has_the_wrong_type_is_named(call, said, triplet):
+    with pytest.raises(TypeError, match=said):
+        call(triplet)
+
+
 @pytest.mark.parametrize("values", [1.0, "1", np.ones((2, 2)), np.float64(1)])
 def test_what_is_varied_is_one_row(values, triplet):
     with pytest.raises(ValueError, match=r"values of velocity\[0\] are not one row"):

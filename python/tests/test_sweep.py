@@ -35,6 +35,24 @@ def test_the_last_ball_has_a_column_whatever_the_number():
         hit["final.velocity[-6]"]
 
 
+def test_columns_are_found_from_the_end(triplet):
+    grid = mt.sweep(triplet, AXES, columns=["velocity", "icr"])
+    assert np.array_equal(grid["velocity[-1]"], grid["velocity"][..., -1])
+    assert np.array_equal(grid["final.velocity[-3]"], grid["velocity[0]"])
+    assert grid.keys_of("icr[-1]") == ["icr[0]"]
+    with pytest.raises(KeyError, match="no column"):
+        grid["velocity[-4]"]
+
+
+def test_equal_scenes_have_equal_sweeps(triplet):
+    grid = mt.sweep(triplet, AXES, columns=["velocity", "icr"])
+    again = mt.sweep(pickle.loads(pickle.dumps(triplet)), AXES, columns=["velocity", "icr"])
+    assert grid == again and grid == pickle.loads(pickle.dumps(grid))
+    assert grid != mt.sweep(triplet, AXES, columns=["velocity"]) and grid != 1
+    assert triplet == copy.copy(triplet) and triplet != triplet.replace({"velocity[0]": 7})
+    assert len({triplet, pickle.loads(pickle.dumps(triplet))}) == 1
+
+
 def test_runs_of_a_sweep_end_when_asked(triplet):
     grid = mt.sweep(triplet, {"velocity[0]": [0.1, 1]}, columns="time", until="1 us")
     assert grid["time"] == pytest.approx([1e-6, 1e-6]) and (grid.ending == mt.Ending.time_limit).all()
