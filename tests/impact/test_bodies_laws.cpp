@@ -4,7 +4,11 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
+#include "mariotte/contact/stated_law.hpp"
 #include "mariotte/contact/tabulated.hpp"
+#include "mariotte/contact/thornton.hpp"
+#include "mariotte/contact/thornton_ning.hpp"
+#include "mariotte/contact/walton_braun.hpp"
 #include "mariotte/core/error.hpp"
 #include "mariotte/impact/bodies/bodies_impact.hpp"
 #include "mariotte/impact/chain/chain_impact.hpp"
@@ -198,6 +202,36 @@ BOOST_AUTO_TEST_CASE(a_ball_falls_back_into_its_dent) {
   BOOST_TEST(impact.contacts[0].periods.size() >= 2U);
   BOOST_TEST(std::abs(impact.body[0].velocity.e2 - row.velocity[1]) < 1e-8);
   BOOST_TEST(std::abs(impact.energy.losses.plastic - row.energy.plastic) < 1e-8);
+}
+
+// Two balls beat a third, which keeps a dent, while another contact pushes by a power of its depth.
+BOOST_AUTO_TEST_CASE(a_dent_closes_where_it_begins_while_others_push) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0, 1);
+  Index again = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<contact::Law> powers{contact::Hertz{10}, contact::Linear{4}};
+    const std::vector<contact::Law> yielding{contact::state(contact::WaltonBraun(1000, 10000)),
+                                             contact::state(contact::Thornton(5000, 1, 30)),
+                                             contact::state(contact::ThorntonNing(5000, 1, 30, 1e-3))};
+    const model::Chain chain{.mass = {1, 1, 0.5 + share(random)},
+                             .law = {powers[i % 2], yielding[i % 3]},
+                             .gap = {0.1 * share(random), 0.01},
+                             .velocity = {2, share(random), 0}};
+    const hybrid::Options options{.accuracy = 1e-10, .max_time = 4};
+    auto bodies = row_of(chain);
+    for (auto& contact : bodies.contact) contact.tangential = {};
+    const auto impact = impact::simulate(bodies, options);
+    const auto row = impact::simulate(chain, options);
+    BOOST_TEST_CONTEXT("scene " << i) {
+      BOOST_TEST((impact.ending == row.ending));
+      for (int ball : {0, 1, 2})
+        BOOST_TEST(norm(impact.body[ball].velocity - row.velocity[ball] * along) <= 1e-9);
+      BOOST_TEST(impact.contacts[1].periods.size() == row.contacts[1].periods.size());
+    }
+    again += row.contacts[1].periods.size() > 1;
+  }
+  BOOST_TEST(again > 20);
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_meaning_is_refused) {

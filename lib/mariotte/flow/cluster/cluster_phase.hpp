@@ -47,7 +47,8 @@ struct ClusterGap {
   int a = -1, b = 0;
   Index close = -1, part = -1;  ///< guards; where it touches at rest, a little beyond
   double touch_depth = 0;
-  double gap = 0, normal_x = 0, normal_y = 0;
+  double gap = 0;  ///< to where it closes, which is its dent if it has one
+  double normal_x = 0, normal_y = 0;
   double bend = 0;                        ///< 1/(2 distance of the centres); 0 of a plane
   double velocity_x = 0, velocity_y = 0;  ///< of a plane
 

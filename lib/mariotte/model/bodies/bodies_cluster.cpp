@@ -77,7 +77,7 @@ const flow::Cluster& BodiesCluster::load(ConstState x, bool may_close) {
   }
   for (std::size_t j = 0; j < cluster_.link.size(); ++j)
     load_link(mode_->closed[j], x, may_close, cluster_.link[j]);
-  for (std::size_t j = 0; j < open_.size(); ++j) load_gap(setting_.contact[open_[j]], x, cluster_.gap[j]);
+  for (std::size_t j = 0; j < open_.size(); ++j) load_gap(open_[j], x, cluster_.gap[j]);
   return cluster_;
 }
 

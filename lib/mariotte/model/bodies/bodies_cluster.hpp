@@ -37,7 +37,7 @@ class BodiesCluster final : public flow::ClusterPhase {
   void set_slip(const ClosedContact& closed, flow::ClusterLink& link) const;
   void set_weights(const ClosedContact& closed, flow::ClusterLink& link) const;
   void load_link(const ClosedContact& closed, ConstState x, bool may_close, flow::ClusterLink& link) const;
-  void load_gap(const SettingContact<2>& one, ConstState x, flow::ClusterGap& gap) const;
+  void load_gap(Index contact, ConstState x, flow::ClusterGap& gap) const;
   double gone(ConstState x, Index body) const;
   void move_ball(Index body, const flow::BallMove& ball, State x) const;
   void move_slot(const ClosedContact& closed, const flow::ClusterLink& link, const flow::LinkMotion& motion,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mariotte/model/bodies/bodies_cluster.hpp"
+#include "mariotte/model/bodies/law_numbers.hpp"
 
 namespace mariotte::model {
 
@@ -140,9 +141,10 @@ void BodiesCluster::load_link(const ClosedContact& closed, ConstState x, bool ma
   start[Field::spring] = link.begins && link.sticks ? 0 : x[layout_.spring(closed.slot)];
 }
 
-void BodiesCluster::load_gap(const SettingContact<2>& one, ConstState x, flow::ClusterGap& gap) const {
+void BodiesCluster::load_gap(Index contact, ConstState x, flow::ClusterGap& gap) const {
+  const auto& one = setting_.contact[contact];
   const auto c = gap_motion(setting_, layout_, one, x);
-  gap.gap = c.gap;
+  gap.gap = c.gap + closing_depth(one.law, memory_of(*mode_, contact));
   gap.normal_x = c.normal[0];
   gap.normal_y = c.normal[1];
   if (gap.a >= 0) {
