@@ -29,12 +29,13 @@ struct Passage {
   double attainable = 16 * epsilon;  ///< accuracy beyond which rounding leaves no run
 };
 
-/// Error that steps of CVODE leave and no tighter tolerance takes away, relative to the speed, against
-/// extended precision, if it adds up: at most, and of a single wave.
+/// Error that steps of CVODE leave and no tighter tolerance takes away, relative to the speed, where it adds
+/// up; measured against extended precision.
 inline double error_of_cvode(const Passage& passage) {
   constexpr double adams = 120 * epsilon, bdf = 600 * epsilon;
   return adams * static_cast<double>(passage.adams) + bdf * static_cast<double>(passage.bdf);
 }
+/// What of it a single wave has.
 inline double of_single_wave(double error_of_cvode) {
   return std::min(0.25 * error_of_cvode, 5e-11);
 }

@@ -197,6 +197,7 @@ class Cvode final : public Flow {
     if (outcome == Outcome::guard) append_roots(fired);
     return outcome;
   }
+  /// Tells the observer and the problem of the step, which may end the mode.
   void accept(const flow::Step& step, const Request& request, std::optional<Outcome>& outcome,
               std::vector<Index>& fired) {
     auto& problem = *problem_;

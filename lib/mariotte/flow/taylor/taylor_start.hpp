@@ -39,6 +39,7 @@ class Start {
   };
   double pushes(int lane, Part from, int k) const;
   double safe_place() const;
+  void sweep(double time, Values& values) const;
   double margin(int lane, double time, const Travel& travel) const;
 
   const Lanes* lanes_ = nullptr;
@@ -46,7 +47,6 @@ class Start {
   bool pressed_ = false;
   double power_ = 1.25;  ///< of z in t
   std::vector<Lane> lane_;
-  void sweep(double time, Values& values) const;
   mutable std::vector<double> swept_;  ///< ∫∫ f dt dt, while a place is evaluated
 };
 
