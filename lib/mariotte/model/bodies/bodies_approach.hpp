@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mariotte/flow/ballistic.hpp"
+#include "mariotte/model/bodies/bodies_motion.hpp"
 #include "mariotte/model/bodies/bodies_setting.hpp"
 
 namespace mariotte::model {
