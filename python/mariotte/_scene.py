@@ -130,7 +130,8 @@ class Scene(Generic[Result]):
         """The same text with the same replaced; contact laws of your own make a scene equal to itself alone."""
         if not isinstance(other, Scene):
             return NotImplemented
-        return self is other or (not self._box.foreign and self._identity() == other._identity())
+        own_laws = self._box.foreign or other._box.foreign
+        return self is other or (not own_laws and self._identity() == other._identity())
 
     def __hash__(self) -> int:
         return hash(self._identity())
